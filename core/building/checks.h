@@ -1,0 +1,32 @@
+#pragma once
+// What is wrong with a map, in words a curator can act on.
+
+#include "core/building/building.h"
+
+#include <string>
+#include <vector>
+
+namespace farol::building {
+
+enum class Severity { Error, Warning, Note };
+
+/// `rule` is stable ("access-joins-two-regions"); `ids` name the features of `layer`; `message` says what is wrong
+/// and what to do.
+struct Finding {
+    Severity severity = Severity::Note;
+    std::string rule;
+    std::string message;
+    std::string layer;
+    std::vector<std::string> ids;
+};
+
+std::string severityName(Severity severity);
+
+/// Rules so far: region-polygon-valid, region-id-unique, access-joins-two-regions, access-regions-exist,
+/// regions-connected (components), landmark-region-exists, landmark-inside-region, region-named, level-listed.
+std::vector<Finding> checkBuilding(const Building& building);
+
+/// Connected components over passable accesses: region indices, largest first.
+std::vector<std::vector<std::size_t>> components(const Building& building);
+
+} // namespace farol::building

@@ -1,0 +1,1 @@
+#include "core/capture/frame_source.h"

@@ -1,0 +1,1 @@
+#include "core/guidance/clock.h"

@@ -1,0 +1,1 @@
+#include "core/guidance/cue_scheduler.h"

@@ -1,0 +1,51 @@
+#pragma once
+// When to say what (paper 4.3; Wayfindr timing in field.md section 4).
+
+#include "core/guidance/cue.h"
+#include "core/guidance/route_tracker.h"
+
+#include <map>
+#include <string>
+
+namespace farol::guidance {
+
+/// Which notifications the user wants (paper 4.3: directions; directions plus objects; and texts).
+enum class Verbosity { Directions, Objects, ObjectsAndTexts };
+
+struct GuidanceOptions {
+    Verbosity verbosity = Verbosity::Objects;
+    double prepareDistanceM = 6.0;
+    double actDistanceM = 2.0;
+    double reassureEveryM = 10.0;
+    double reassureEverySeconds = 15.0;  ///< where no distance is known
+    double repeatAfterSeconds = 15.0;    ///< the same action is not told again sooner
+    double objectRepeatSeconds = 20.0;
+    double unsureAfterSeconds = 8.0;     ///< without a usable fix
+    double unsureRepeatSeconds = 15.0;
+    double offRouteRepeatSeconds = 10.0;
+    double sureConfidence = 0.5;         ///< below: hedged words
+    double maxSigmaForDistanceM = 2.0;   ///< a distance is told only when the position is that good
+
+    Result<void> check() const;
+};
+
+/// Deterministic; time comes from the frames. One thread.
+class CueScheduler {
+public:
+    CueScheduler(std::shared_ptr<const building::Building> building, GuidanceOptions options = {});
+
+    void setVerbosity(Verbosity verbosity) { m_options.verbosity = verbosity; }
+    /// The cues this frame causes, most urgent first; often none.
+    std::vector<Cue> update(std::uint64_t frame, const localisation::Fix& fix, const Progress& progress,
+                            const std::vector<localisation::Observation>& fresh);
+    /// A Warning cue from outside the chain (camera lost, disk full).
+    Cue warning(std::uint64_t frame, double time, CueReason reason, std::string detail);
+
+private:
+    struct Memory;
+    std::shared_ptr<const building::Building> m_building;
+    GuidanceOptions m_options;
+    std::shared_ptr<Memory> m_memory;
+};
+
+} // namespace farol::guidance

@@ -1,0 +1,1 @@
+#include "core/localisation/navigation_history.h"

@@ -1,0 +1,1 @@
+#include "core/localisation/scene_context.h"

@@ -1,0 +1,1 @@
+#include "core/localisation/voting_localiser.h"

@@ -1,0 +1,1 @@
+#include "core/recognition/feature_extractor.h"

@@ -1,0 +1,1 @@
+#include "core/recognition/landmark_library.h"

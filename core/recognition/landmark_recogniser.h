@@ -1,0 +1,48 @@
+#pragma once
+// Finds trained templates in a frame: one index over all templates, ratio test against other templates, vote on
+// centre, scale and angle, MAGSAC homography, sane quad, patch correlation. Kind place is a whole view, not a plane:
+// candidates by votes of the k nearest, then epipolar geometry; at most one place a frame is told.
+
+#include "core/recognition/detection.h"
+#include "core/recognition/feature_extractor.h"
+#include "core/recognition/landmark_library.h"
+
+#include <memory>
+
+namespace farol::recognition {
+
+struct RecogniserOptions {
+    double ratio = 0.85;           ///< to the first neighbour of another template
+    int neighbours = 8;
+    int searchChecks = 64;         ///< leaves visited in the KD-trees
+    int minInliers = 6;            ///< of an object
+    double minPatchCorrelation = 0.4;
+    int minPlaceInliers = 12;
+    double placeRatio = 0.8;
+    int placeCandidates = 5;       ///< verified one by one
+    double reprojectionPx = 4.0;
+    double minSharpness = 12.0;    ///< of the blur gate; see sharpness.h
+
+    Result<void> check() const;
+};
+
+/// Immutable after construction; recognise() is const and may be called from one thread at a time.
+class LandmarkRecogniser {
+public:
+    LandmarkRecogniser(std::shared_ptr<const LandmarkLibrary> library, RecogniserOptions options = {});
+    ~LandmarkRecogniser();
+    LandmarkRecogniser(LandmarkRecogniser&&) noexcept;
+    LandmarkRecogniser& operator=(LandmarkRecogniser&&) noexcept;
+
+    /// `image` 8-bit BGR or grey.
+    DetectorResult recognise(const cv::Mat& image) const;
+    const LandmarkLibrary& library() const;
+
+private:
+    struct Index;
+    std::shared_ptr<const LandmarkLibrary> m_library;
+    RecogniserOptions m_options;
+    std::unique_ptr<Index> m_index;
+};
+
+} // namespace farol::recognition

@@ -1,0 +1,1 @@
+#include "core/recognition/rectangle_detector.h"

@@ -1,0 +1,29 @@
+#pragma once
+// From photographs to templates (paper section 2: templates are photographed at about 2 m from several sides).
+
+#include "core/base/error.h"
+#include "core/recognition/landmark_library.h"
+
+#include <optional>
+#include <string>
+
+namespace farol::recognition {
+
+struct TrainingRequest {
+    TemplateId id;
+    Kind kind = Kind::Other;
+    std::string name;
+    std::optional<double> widthM, heightM;
+};
+
+/// Adds one photograph (JPEG or PNG bytes) to a template of the library, which is made when it is new. An outline
+/// must be convex and inside the picture; without one the whole picture counts (kind place: always the whole).
+/// InvalidArgument when the picture cannot be decoded, the outline is wrong, the kind differs from the template's,
+/// or too few features lie inside the outline (the message says how many, and what to do).
+Result<void> addView(LandmarkLibrary& library, const TrainingRequest& request, const std::string& pictureBytes,
+                     const std::optional<Quad>& outline);
+
+/// False when there is no such template.
+bool removeTemplate(LandmarkLibrary& library, const TemplateId& id);
+
+} // namespace farol::recognition

@@ -1,0 +1,90 @@
+#pragma once
+// A planned way through the building, as structure: words are made in ui/speech.
+
+#include "core/base/error.h"
+#include "core/building/building.h"
+#include "core/building/info.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace farol::routing {
+
+using building::Building;
+using building::Location;
+
+enum class ManoeuvreKind { Start, Door, Opening, Stairs, Elevator, Escalator, Ramp, Turn, Arrive };
+enum class Vertical { None, Up, Down };
+
+/// One thing to do on the way. `turn` is how the walking direction changes there, from the path's own geometry
+/// (counter-clockwise, so left, is positive); 0 on Start and Arrive.
+struct Manoeuvre {
+    ManoeuvreKind kind = ManoeuvreKind::Start;
+    AccessId access;  ///< the access passed; empty on Start, Turn and Arrive
+    RegionId from;    ///< the region one is in before
+    RegionId into;    ///< the region one is in afterwards (the same for Turn and Arrive)
+    Point2 position;
+    double level = 0.0;       ///< before a change of level
+    double targetLevel = 0.0; ///< after it
+    Radians turn;
+    Vertical vertical = Vertical::None;
+    std::optional<int> steps;
+    double atM = 0.0; ///< walking distance from the start of the route
+};
+
+struct PathPoint {
+    Point2 position;
+    double level = 0.0;
+};
+
+/// regions.size() == accesses.size() + 1. `path` runs from start to goal; points of one level form its polyline.
+struct Route {
+    std::string planner; ///< "optimal" or "greedy"
+    std::vector<RegionId> regions;
+    std::vector<AccessId> accesses;
+    std::vector<PathPoint> path;
+    std::vector<Manoeuvre> manoeuvres;
+    double lengthM = 0.0;
+    double seconds = 0.0;
+
+    bool passes(const RegionId& region) const;
+};
+
+/// What may be used, and how long it takes. Speeds in metres a second on the flat.
+struct RouteOptions {
+    double walkingSpeed = 0.8;      ///< of a blind walker, for `seconds`
+    double doorSeconds = 4.0;       ///< to find and pass a door
+    double stairsSecondsPerLevel = 20.0;
+    double elevatorSeconds = 45.0;  ///< waiting and riding
+    double storeyHeightM = 3.0;     ///< where the map tells no elevations
+    bool avoidStairs = false;
+    bool avoidElevator = false;
+    bool avoidEscalator = false;
+    bool avoidRestricted = false;
+
+    Result<void> check() const;
+};
+
+/// Thread-safe once built: plan() is const.
+class Planner {
+public:
+    virtual ~Planner() = default;
+    /// NotFound with the reason in words when there is no way ("room 2.14 can be reached by stairs only, which are
+    /// to be avoided"). Start and goal in one region: a route without accesses.
+    virtual Result<Route> plan(const Location& from, const Location& to) const = 0;
+};
+
+std::unique_ptr<Planner> makeOptimalPlanner(std::shared_ptr<const Building> building, RouteOptions options = {});
+/// The paper's 4.1 as printed: next access by direction and distance to the destination, dead ends struck out and
+/// restarted, levels joined by common stairs or lifts. Not the shortest way; for comparison.
+std::unique_ptr<Planner> makeGreedyPlanner(std::shared_ptr<const Building> building, RouteOptions options = {});
+
+/// Turns, doors and level changes along a path. `portals` are the indices into `path` of the accesses, in order.
+std::vector<Manoeuvre> manoeuvresAlong(const Building& building, const Route& route,
+                                       const std::vector<std::size_t>& portals);
+
+std::string manoeuvreKindName(ManoeuvreKind kind);
+
+} // namespace farol::routing

@@ -1,0 +1,1 @@
+#include "core/session/json_lines.h"

@@ -1,0 +1,71 @@
+#pragma once
+// A walk: a source, perception and a navigator on two threads (capture, session) with one-slot mailboxes between
+// them and to the GUI. Live sources drop old frames and count them; files wait, so that nothing is lost.
+
+#include "core/base/latest_value.h"
+#include "core/session/navigator.h"
+#include "core/session/perception.h"
+#include "core/session/recorder.h"
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace farol::session {
+
+enum class Pace { AsFastAsPossible, RealTime };
+
+struct SessionOptions {
+    PerceptionOptions perception;
+    NavigatorOptions navigator;
+    Pace pace = Pace::AsFastAsPossible; ///< of sources that are not live; RealTime also drops frames that come too late
+    double speed = 1.0;                 ///< of RealTime
+    std::optional<std::filesystem::path> recordFolder;
+    std::string mapName, libraryName, sourceName; ///< for the recording's header
+
+    Result<void> check() const;
+};
+
+/// Called on the session thread, in order; they must not block for long and must not call stop().
+struct SessionHandlers {
+    std::function<void(const NavigationStep&, const HopTimes&)> step;
+    std::function<void(const guidance::Cue&)> warning;        ///< cues from outside the chain
+    std::function<void(double, std::uint64_t, const std::string&)> message; ///< time, frame, text: for the log
+    std::function<void(RunState)> state;
+};
+
+/// Commands may come from any thread; they take effect before the next frame.
+class NavigationSession {
+public:
+    static Result<std::unique_ptr<NavigationSession>> create(
+        std::shared_ptr<const building::Building> building, std::shared_ptr<const recognition::LandmarkLibrary> library,
+        std::unique_ptr<capture::FrameSource> source, const SessionOptions& options, SessionHandlers handlers);
+    ~NavigationSession(); ///< stops and joins
+
+    void start();
+    /// Asks both threads to end and waits for them. Safe to call twice.
+    void stop();
+    /// Waits until the material is at its end (or stop() was called).
+    void wait();
+
+    void setStart(const std::optional<RegionId>& region);
+    void setDestination(const std::optional<building::Location>& destination);
+    void setVerbosity(guidance::Verbosity verbosity);
+    void pause();
+    void resume();
+    void stepOnce(); ///< one frame, then paused
+    void setSpeed(double factor);
+
+    RunState state() const;
+    /// The newest picture of the walk; null before the first frame.
+    std::shared_ptr<const Snapshot> snapshot() const;
+
+private:
+    struct Impl;
+    explicit NavigationSession(std::unique_ptr<Impl> impl);
+    std::unique_ptr<Impl> m_impl;
+};
+
+} // namespace farol::session

@@ -1,0 +1,55 @@
+#pragma once
+// Hops 3 to 6 as one plain call chain: history, localiser, route tracker, cues. `run`, `replay` and `locate` all go
+// through here, so that they cannot differ.
+
+#include "core/guidance/cue_scheduler.h"
+#include "core/localisation/navigation_history.h"
+#include "core/localisation/voting_localiser.h"
+#include "core/session/percept.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace farol::session {
+
+struct NavigatorOptions {
+    std::string localiser = "voting";
+    std::string planner = "optimal";
+    routing::RouteOptions routing;
+    localisation::HistoryOptions history;
+    guidance::TrackerOptions tracker;
+    guidance::GuidanceOptions guidance;
+
+    Result<void> check() const;
+};
+
+class Navigator {
+public:
+    static Result<std::unique_ptr<Navigator>> create(std::shared_ptr<const building::Building> building,
+                                                     const NavigatorOptions& options = {});
+
+    /// Forgets history and fix. Empty: an unknown start.
+    void start(double time, const std::optional<RegionId>& region);
+    /// Empty: no destination. The cue that follows (RouteStart, NoRoute, AlreadyThere) comes with the next step.
+    void setDestination(const std::optional<building::Location>& destination);
+    void setVerbosity(guidance::Verbosity verbosity);
+    NavigationStep advance(Percept percept);
+    guidance::Cue warning(guidance::CueReason reason, std::string detail);
+
+    const building::Building& building() const { return *m_building; }
+
+private:
+    Navigator(std::shared_ptr<const building::Building> building, std::unique_ptr<localisation::Localiser> localiser,
+              std::shared_ptr<const routing::Planner> planner, const NavigatorOptions& options);
+
+    std::shared_ptr<const building::Building> m_building;
+    std::unique_ptr<localisation::Localiser> m_localiser;
+    localisation::NavigationHistory m_history;
+    guidance::RouteTracker m_tracker;
+    guidance::CueScheduler m_scheduler;
+    std::uint64_t m_lastFrame = 0;
+    double m_lastTime = 0.0;
+};
+
+} // namespace farol::session

@@ -1,0 +1,44 @@
+#pragma once
+// Hop 2 and the scene part of hop 3: one frame in, one Percept out. Single-threaded and deterministic.
+
+#include "core/localisation/scene_context.h"
+#include "core/recognition/door_detector.h"
+#include "core/recognition/landmark_recogniser.h"
+#include "core/recognition/rectangle_detector.h"
+#include "core/recognition/text_reader.h"
+#include "core/session/percept.h"
+
+#include <memory>
+#include <optional>
+
+namespace farol::session {
+
+struct PerceptionOptions {
+    bool landmarks = true, doors = true, text = true;
+    recognition::RecogniserOptions recogniser;
+    recognition::DoorDetectorOptions doorDetector;
+    recognition::RectangleDetectorOptions rectangleDetector;
+    recognition::TextReaderOptions textReader;
+    localisation::SceneOptions scene;
+    /// Reading is the slowest hop: at most one read in this time of the frames' own clock.
+    double secondsBetweenReadings = 0.3;
+
+    Result<void> check() const;
+};
+
+class Perception {
+public:
+    /// `library` may be null: no trained landmarks. `warnings` tells what had to be left out (no tessdata).
+    Perception(std::shared_ptr<const recognition::LandmarkLibrary> library, PerceptionOptions options,
+               std::vector<std::string>& warnings);
+    Percept look(const capture::Frame& frame, HopTimes* times = nullptr);
+
+private:
+    PerceptionOptions m_options;
+    std::optional<recognition::LandmarkRecogniser> m_recogniser;
+    std::optional<recognition::TextReader> m_reader;
+    localisation::SceneContext m_scene;
+    std::optional<double> m_lastReading;
+};
+
+} // namespace farol::session

@@ -1,0 +1,74 @@
+#pragma once
+// A recording: a folder with recording.json (what was run on what, with which options), map.gpkg (a copy),
+// walk.jsonl (percepts and commands in order, every digit kept) and frames/ (JPEG, to look at). Replay runs hops 3 to
+// 6 again from the percepts and gives the same lines byte for byte.
+
+#include "core/base/error.h"
+#include "core/session/navigator.h"
+#include "core/session/percept.h"
+
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace farol::session {
+
+struct RecordingHeader {
+    int version = 1;
+    std::string source, map, library; ///< as they were named; for people
+    NavigatorOptions options;
+};
+
+/// Commands that changed the walk, in the order of the frames.
+struct StartCommand { double time = 0.0; std::optional<RegionId> region; };
+struct DestinationCommand { std::optional<building::Location> destination; };
+struct VerbosityCommand { guidance::Verbosity verbosity = guidance::Verbosity::Objects; };
+struct WarningCommand { guidance::CueReason reason = guidance::CueReason::None; std::string detail; };
+using Command = std::variant<StartCommand, DestinationCommand, VerbosityCommand, WarningCommand>;
+using RecordEntry = std::variant<Percept, Command>;
+
+/// Writes as the walk goes, flushed once a frame. After a failure (full disk) it stays quiet: failed() tells, the
+/// walk goes on, and what was written until then can be replayed.
+class Recorder {
+public:
+    /// The folder must be new or empty.
+    static Result<std::unique_ptr<Recorder>> create(const std::filesystem::path& folder, const RecordingHeader& header);
+
+    Result<void> write(const Percept& percept, const cv::Mat& image);
+    Result<void> write(const Command& command);
+    bool failed() const { return m_failed; }
+
+private:
+    explicit Recorder(std::filesystem::path folder);
+    Result<void> writeLine(const std::string& line);
+
+    std::filesystem::path m_folder;
+    std::ofstream m_walk;
+    bool m_failed = false;
+};
+
+struct Recording {
+    RecordingHeader header;
+    std::filesystem::path folder;
+    std::vector<RecordEntry> entries;
+    std::vector<std::string> warnings; ///< a torn last line, a missing picture
+};
+
+/// NotFound, UnsupportedFormat (a later version), Corrupt (line number and reason). A torn last line, as a crash
+/// leaves it, is dropped with a warning.
+Result<Recording> loadRecording(const std::filesystem::path& folder);
+
+/// Replays hops 3 to 6. `options` replaces the recorded ones where given (re-voting with other settings).
+struct ReplayHandlers {
+    std::function<void(const NavigationStep&)> step;
+    std::function<void(const guidance::Cue&)> warning;
+};
+Result<void> replay(const Recording& recording, std::shared_ptr<const building::Building> building,
+                    const std::optional<NavigatorOptions>& options, const ReplayHandlers& handlers);
+
+} // namespace farol::session

@@ -1,0 +1,52 @@
+#!/usr/bin/env python3
+"""Fails on an untranslated or unfinished text.
+
+Portuguese: every message is translated, none is unfinished, and none is a silent copy of the English unless the
+allow-list says that both languages really use the same word. English: every plural form is filled in. Place markers
+(%1, %n) must be the same on both sides.
+"""
+import re
+import sys
+import xml.etree.ElementTree as tree
+from pathlib import Path
+
+# The same in both languages: names, symbols and keys.
+SAME = {"Farol", "OK", "%1", "%1 %", "%1 m", "%1x", "%1×", "%1: %2", "Total", "Local"}
+
+
+def forms(message):
+    node = message.find("translation")
+    plural = node.findall("numerusform") if node is not None else []
+    return [form.text or "" for form in plural] if plural else [(node.text or "") if node is not None else ""]
+
+
+def problems(path, is_english):
+    for context in tree.parse(path).getroot().findall("context"):
+        name = context.findtext("name")
+        for message in context.findall("message"):
+            source = message.findtext("source") or ""
+            node = message.find("translation")
+            kind = node.get("type") if node is not None else "unfinished"
+            if kind in {"vanished", "obsolete"}:
+                yield f"{name}: vanished text left behind: {source!r}"
+                continue
+            plural = message.get("numerus") == "yes"
+            if is_english and not plural:
+                continue
+            if kind == "unfinished":
+                yield f"{name}: unfinished: {source!r}"
+            for form in forms(message):
+                if not form.strip():
+                    yield f"{name}: empty translation: {source!r}"
+                elif not is_english and form == source and source not in SAME and re.search(r"[A-Za-z]{3}", source):
+                    yield f"{name}: still English: {source!r}"
+                elif not plural and sorted(re.findall(r"%\d|%L\d|%n", source)) != sorted(re.findall(r"%\d|%L\d|%n", form)):
+                    yield f"{name}: markers differ: {source!r} / {form!r}"
+
+
+root = Path(sys.argv[1])
+bad = []
+for path in sorted((root / "translations").glob("farol_*.ts")):
+    bad += [f"{path.name}: {text}" for text in problems(path, path.stem.endswith("_en"))]
+print("\n".join(bad))
+sys.exit(1 if bad else 0)

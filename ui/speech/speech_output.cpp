@@ -1,0 +1,1 @@
+#include "ui/speech/speech_output.h"

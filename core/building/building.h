@@ -155,6 +155,11 @@ private:
     std::unordered_map<AccessId, std::size_t> m_accessIndex;
     std::unordered_map<LandmarkId, std::size_t> m_landmarkIndex;
     Lists m_accesses, m_neighbours, m_landmarks;
+    std::vector<std::optional<Box2>> m_boxes; ///< of the regions, for regionAt
+    std::vector<bool> m_nearLevelChange;
+
+    static Lists listsOf(std::vector<std::vector<std::size_t>> rows, bool sortedOnce);
+    void indexNeighbours();
 };
 
 /// The region's name, else its ref, else its id: never empty.

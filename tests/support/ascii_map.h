@@ -39,18 +39,19 @@
 
 namespace farol::test {
 
+// Default initialisers everywhere, so that tests may leave members out.
 struct AsciiRegion {
-    std::string name;
+    std::string name{};
     building::RegionKind kind = building::RegionKind::Room;
-    std::string ref;
+    std::string ref{};
     bool restricted = false;
 };
 
 struct AsciiLandmark {
     Kind kind = Kind::Sign;
-    std::string text;
-    std::string templateId; ///< empty: known by kind or text
-    std::optional<double> headingDeg;
+    std::string text{};
+    std::string templateId{}; ///< empty: known by kind or text
+    std::optional<double> headingDeg{};
 };
 
 class AsciiMap {

@@ -1,4 +1,149 @@
+// One sentence per cue. Names from the map stand behind a colon or between commas, so that they need no article and
+// no gender in any language.
+
 #include "ui/speech/phrasebook.h"
+#include "ui/speech/spoken.h"
+
 namespace farol::ui {
-QString Phrasebook::sentence(const guidance::Cue& /*cue*/) const { return {}; }
+
+using guidance::Cue;
+using guidance::CueKind;
+using guidance::CueReason;
+using routing::ManoeuvreKind;
+
+QString Phrasebook::sentence(const Cue& cue) const {
+    switch (cue.kind) {
+    case CueKind::RouteStart: return routeStart(cue);
+    case CueKind::Prepare: return prepare(cue);
+    case CueKind::Act: return act(cue);
+    case CueKind::Reassure: return reassure(cue);
+    case CueKind::Arrived: return arrived(cue);
+    case CueKind::OffRoute: return offRoute(cue);
+    case CueKind::Unsure:
+        return tr("I am not sure where you are. Stop, and turn slowly to the right, so that I can look around.");
+    case CueKind::Located: return located(cue);
+    case CueKind::Detection: return detection(cue);
+    case CueKind::Text: {
+        const QString read = spoken::shortened(cue.text);
+        //: %1 what is written there, %2 "left, up"
+        return read.isEmpty() ? QString() : tr("I read: %1. %2.").arg(read, spoken::capitalised(zoneWords(cue.zone)));
+    }
+    case CueKind::NoRoute: return noRoute(cue);
+    case CueKind::AlreadyThere: return alreadyThere(cue);
+    case CueKind::Warning: return warning(cue);
+    }
+    return {};
+}
+
+QString Phrasebook::routeStart(const Cue& cue) const {
+    const QString destination = spoken::name(cue.regionName);
+    QStringList sentences;
+    sentences << (destination.isEmpty() ? tr("I have found the way.") : tr("Destination: %1.").arg(destination));
+    const int metres = cue.sure ? spoken::metres(cue.distanceM) : 0;
+    if (metres > 0) sentences << tr("About %n metre(s).", "length of the route", metres);
+
+    // "Start" is nothing to do in itself: the manoeuvre behind it is the first one.
+    Cue first = cue;
+    if (first.manoeuvre && first.manoeuvre->kind == ManoeuvreKind::Start && first.next) {
+        first.manoeuvre = first.next;
+        first.next.reset();
+    }
+    if (!first.manoeuvre) return spoken::joined(sentences);
+    const bool turn = first.manoeuvre->kind == ManoeuvreKind::Turn;
+    const QString opener = turn ? (cue.sure ? tr("First, move forward, then") : tr("First, probably, move forward, then"))
+                                : (cue.sure ? tr("First") : tr("First, probably"));
+    if (turn) {
+        //: %1 "First, move forward, then", %2 "turn left"
+        sentences << tr("%1 %2.").arg(opener, clause(*first.manoeuvre)) << tail(first, *first.manoeuvre);
+    } else {
+        sentences << announced(first, opener, *first.manoeuvre);
+    }
+    return spoken::joined(sentences);
+}
+
+QString Phrasebook::prepare(const Cue& cue) const {
+    if (!cue.manoeuvre) return {};
+    const int metres = cue.sure ? spoken::metres(cue.distanceM) : 0;
+    const QString opener = metres > 0 ? tr("In about %n metre(s)", "then what is there", metres)
+                         : cue.sure   ? tr("Soon")
+                                      : tr("Soon, probably");
+    return announced(cue, opener, *cue.manoeuvre);
+}
+
+QString Phrasebook::reassure(const Cue& cue) const {
+    if (!cue.sure) return tr("Keep moving forward. You are probably on the right way.");
+    const int metres = spoken::metres(cue.distanceM);
+    return metres > 0 ? tr("Keep moving forward for about %n metre(s).", nullptr, metres) : tr("Keep moving forward.");
+}
+
+QString Phrasebook::arrived(const Cue& cue) const {
+    const QString place = spoken::name(cue.regionName);
+    if (place.isEmpty()) return cue.sure ? tr("You have arrived.") : tr("You have probably arrived.");
+    return (cue.sure ? tr("You have arrived: %1.") : tr("You have probably arrived: %1.")).arg(place);
+}
+
+QString Phrasebook::offRoute(const Cue& cue) const {
+    const QString left = cue.sure ? tr("You have left the route.") : tr("You have probably left the route.");
+    if (cue.reason == CueReason::DestinationUnreachable || cue.reason == CueReason::DestinationUnknown) {
+        return spoken::joined({left, tr("Stop. I know no way from here.")});
+    }
+    if (!cue.manoeuvre) return spoken::joined({left, tr("Stop for a moment.")});
+    return spoken::joined({left, announced(cue, tr("From here"), *cue.manoeuvre)});
+}
+
+QString Phrasebook::located(const Cue& cue) const {
+    const QString place = spoken::name(cue.regionName);
+    if (place.isEmpty()) return tr("I do not know yet where you are.");
+    const QString level = spoken::level(cue.levelName, tr("level %1"), tr("minus %1"));
+    const QString where = level.isEmpty() ? place : place + QStringLiteral(", ") + level;
+    return (cue.sure ? tr("You are here: %1.") : tr("You are probably here, or next to it: %1.")).arg(where);
+}
+
+/// The paper's form: what, then where in the picture.
+QString Phrasebook::detection(const Cue& cue) const {
+    QString what = kindWord(cue.objectKind);
+    const QString read = spoken::shortened(cue.text);
+    if (!read.isEmpty()) what += QLatin1Char(' ') + read;
+    QString where = zoneWords(cue.zone);
+    if (cue.hour && m_style == DirectionStyle::Clock) {
+        QStringList words{hourWord(((*cue.hour % 12) + 12) % 12)};
+        if (cue.zone.row == Row::Up) words << tr("up");
+        if (cue.zone.row == Row::Down) words << tr("down");
+        where = words.join(QStringLiteral(", "));
+    }
+    //: %1 "extinguisher", %2 "left, down"
+    const QString said = (cue.sure ? tr("%1, %2.") : tr("perhaps: %1, %2.")).arg(what, where);
+    return spoken::capitalised(said);
+}
+
+QString Phrasebook::noRoute(const Cue& cue) const {
+    const QString place = spoken::name(cue.regionName);
+    if (cue.reason == CueReason::DestinationUnknown) {
+        return place.isEmpty() ? tr("I do not know this destination. Choose another one.")
+                               : tr("I do not know this destination: %1. Choose another one.").arg(place);
+    }
+    return place.isEmpty() ? tr("I know no way to your destination. Choose another one, or ask for help.")
+                           : tr("I know no way to: %1. Choose another destination, or ask for help.").arg(place);
+}
+
+QString Phrasebook::alreadyThere(const Cue& cue) const {
+    const QString place = spoken::name(cue.regionName);
+    if (place.isEmpty()) return cue.sure ? tr("You are already there.") : tr("You are probably there already.");
+    return (cue.sure ? tr("You are already there: %1.") : tr("You are probably there already: %1.")).arg(place);
+}
+
+QString Phrasebook::warning(const Cue& cue) const {
+    switch (cue.reason) {
+    case CueReason::CameraLost: return tr("Stop. The camera gives no picture, and I cannot guide you.");
+    case CueReason::CameraBack: return tr("The camera works again.");
+    case CueReason::RecordingStopped: return tr("The recording has stopped. I keep guiding you.");
+    case CueReason::PictureCovered: return tr("Stop. I cannot see. Please uncover the camera.");
+    case CueReason::FrameSkipped: return tr("One picture could not be used. I keep guiding you.");
+    case CueReason::DestinationUnknown:
+    case CueReason::DestinationUnreachable: return noRoute(cue);
+    case CueReason::None: break;
+    }
+    return tr("Stop. Something is wrong. Please ask for help.");
+}
+
 } // namespace farol::ui

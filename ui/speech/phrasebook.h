@@ -23,15 +23,49 @@ public:
     QString sentence(const guidance::Cue& cue) const;
     static QString kindWord(Kind kind);
     static QString zoneWords(Zone zone);
+    /// "turn left", "turn to 9 o'clock", "turn 90 degrees to the left"; "go straight on" for a small angle.
     QString turnWords(Radians turn) const;
     void setStyle(DirectionStyle style) { m_style = style; }
+    DirectionStyle style() const { return m_style; }
 
 private:
+    using Manoeuvre = routing::Manoeuvre;
+    enum class Feature { None, Door, Opening, StairsUp, StairsDown, Stairs, LiftUp, LiftDown, Lift, EscalatorUp,
+                         EscalatorDown, Escalator, RampUp, RampDown, Ramp };
+
+    static Feature featureOf(const Manoeuvre& manoeuvre);
+    static QString featureNoun(Feature feature);
+    static QString placeSentence(Feature feature, bool sure);
+    static QString nearSentence(const Manoeuvre& manoeuvre);
+    static QString actionThere(Feature feature);
+    static QString action(Feature feature);
+    static QString hourWord(int hour);
+
+    QString turningWords(Radians turn) const;
+    QString whereWords(int hour) const;
+    QString withTurn(const QString& clause, const Manoeuvre& manoeuvre) const;
+    QString clause(const Manoeuvre& manoeuvre) const;
+    QString clauseThere(const Manoeuvre& manoeuvre) const;
+    QString announced(const guidance::Cue& cue, const QString& opener, const Manoeuvre& manoeuvre) const;
+    QString tail(const guidance::Cue& cue, const Manoeuvre& manoeuvre) const;
+
+    QString routeStart(const guidance::Cue& cue) const;
+    QString prepare(const guidance::Cue& cue) const;
+    QString act(const guidance::Cue& cue) const;
+    QString reassure(const guidance::Cue& cue) const;
+    QString arrived(const guidance::Cue& cue) const;
+    QString offRoute(const guidance::Cue& cue) const;
+    QString located(const guidance::Cue& cue) const;
+    QString detection(const guidance::Cue& cue) const;
+    QString noRoute(const guidance::Cue& cue) const;
+    QString alreadyThere(const guidance::Cue& cue) const;
+    QString warning(const guidance::Cue& cue) const;
+
     DirectionStyle m_style;
 };
 
-/// Installs farol_<language>.qm (and Qt's own) from the program's resources: "en", "pt", or a locale name such as
-/// "pt_BR". False when there is none, and English is used.
+/// Installs farol_<language>.qm (and Qt's own, where it is installed) for the whole program: "en", "pt", or a locale
+/// name such as "pt_BR". False when there is none, and English is used. Needs a QCoreApplication.
 bool installTranslation(const QString& language);
 
 } // namespace farol::ui

@@ -3,6 +3,7 @@
 // Printed numbers are rounded to three decimals; recordings keep every digit.
 
 #include "core/base/error.h"
+#include "core/session/json_fields.h"
 #include "core/session/percept.h"
 
 #include <nlohmann/json.hpp>
@@ -14,10 +15,8 @@
 
 namespace farol::session {
 
-using Json = nlohmann::ordered_json;
-
 /// frame, detection..., fix, progress (when it changed), cue... for one step, in this order. `before`: the progress
-/// of the step before, to tell whether it changed.
+/// of the step before, to tell whether it changed. The last lines are those of `step.cues`, one each.
 std::vector<std::string> linesOf(const NavigationStep& step, const guidance::Progress* before);
 std::string warningLine(double time, std::uint64_t frame, const std::string& message);
 /// A cue alone, for warnings that come from outside the chain.
@@ -28,8 +27,8 @@ std::string utteranceLine(double time, std::uint64_t frame, std::uint64_t cause,
 Json fixJson(const localisation::Fix& fix);
 Json routeJson(const routing::Route& route);
 
-/// One line of a `locate` log.
-struct LogDetection { Percept percept; };               ///< exactly one detection
+/// One line of a `locate` log. `unknownKind`: the word in the file that is no kind of ours; it counts as Other.
+struct LogDetection { Percept percept; std::string unknownKind; }; ///< exactly one detection
 struct LogStart { double time = 0.0; std::optional<RegionId> region; };
 struct LogDestination { double time = 0.0; std::string where; };
 struct LogMotion { double time = 0.0; recognition::Motion motion; };

@@ -1,8 +1,8 @@
 #pragma once
-// A walk: a source, perception and a navigator on two threads (capture, session) with one-slot mailboxes between
-// them and to the GUI. Live sources drop old frames and count them; files wait, so that nothing is lost.
+// A walk: a source, perception and a navigator on two threads (capture, session) with a one-slot mailbox between
+// them and the newest snapshot for the GUI. Live sources drop old frames and count them; files wait, so that nothing
+// is lost.
 
-#include "core/base/latest_value.h"
 #include "core/session/navigator.h"
 #include "core/session/perception.h"
 #include "core/session/recorder.h"
@@ -28,7 +28,8 @@ struct SessionOptions {
     Result<void> check() const;
 };
 
-/// Called on the session thread, in order; they must not block for long and must not call stop().
+/// Called on the session thread, in order; they must not block for long. After stop() none is called any more. A
+/// handler that calls stop() itself only asks for it: the thread cannot wait for its own end.
 struct SessionHandlers {
     std::function<void(const NavigationStep&, const HopTimes&)> step;
     std::function<void(const guidance::Cue&)> warning;        ///< cues from outside the chain
@@ -36,7 +37,8 @@ struct SessionHandlers {
     std::function<void(RunState)> state;
 };
 
-/// Commands may come from any thread; they take effect before the next frame.
+/// Commands may come from any thread; they take effect before the next frame, also while paused, before start() (then
+/// with it) and after the end of the material.
 class NavigationSession {
 public:
     static Result<std::unique_ptr<NavigationSession>> create(
@@ -45,9 +47,9 @@ public:
     ~NavigationSession(); ///< stops and joins
 
     void start();
-    /// Asks both threads to end and waits for them. Safe to call twice.
+    /// Asks both threads to end and waits for them. Safe at any moment, from any thread, and twice.
     void stop();
-    /// Waits until the material is at its end (or stop() was called).
+    /// Waits until the material is at its end (or stop() was called); returns at once before start().
     void wait();
 
     void setStart(const std::optional<RegionId>& region);
@@ -59,7 +61,7 @@ public:
     void setSpeed(double factor);
 
     RunState state() const;
-    /// The newest picture of the walk; null before the first frame.
+    /// The newest picture of the walk; null until there is anything to tell. Its frame is empty before the first one.
     std::shared_ptr<const Snapshot> snapshot() const;
 
 private:

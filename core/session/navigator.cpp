@@ -1,1 +1,100 @@
 #include "core/session/navigator.h"
+
+#include <algorithm>
+#include <type_traits>
+#include <utility>
+
+namespace farol::session {
+
+namespace {
+
+Result<std::shared_ptr<const routing::Planner>> makePlanner(const std::shared_ptr<const building::Building>& building,
+                                                            const NavigatorOptions& options) {
+    if (options.planner == "optimal")
+        return std::shared_ptr<const routing::Planner>(routing::makeOptimalPlanner(building, options.routing));
+    if (options.planner == "greedy")
+        return std::shared_ptr<const routing::Planner>(routing::makeGreedyPlanner(building, options.routing));
+    return Error{ErrorCode::InvalidArgument, "there is no planner \"" + options.planner + "\"; choose optimal or greedy",
+                 "planner"};
+}
+
+std::vector<localisation::Observation> observationsOf(const Percept& percept) {
+    std::vector<localisation::Observation> seen;
+    seen.reserve(percept.detections.size());
+    for (const recognition::Detection& detection : percept.detections)
+        seen.push_back({detection, percept.time, percept.frame, percept.scene});
+    return seen;
+}
+
+} // namespace
+
+Result<void> NavigatorOptions::check() const {
+    for (const Result<void>& checked : {routing.check(), history.check(), tracker.check(), guidance.check()})
+        if (!checked) return checked;
+    return {};
+}
+
+Result<std::unique_ptr<Navigator>> Navigator::create(std::shared_ptr<const building::Building> building,
+                                                     const NavigatorOptions& options) {
+    if (!building) return Error{ErrorCode::InvalidArgument, "there is no map; open one first", "map"};
+    if (auto checked = options.check(); !checked) return checked.error();
+    auto localiser = localisation::makeLocaliser(options.localiser, building);
+    if (!localiser) return localiser.error();
+    auto planner = makePlanner(building, options);
+    if (!planner) return planner.error();
+    return std::unique_ptr<Navigator>(
+        new Navigator(std::move(building), std::move(localiser).value(), std::move(planner).value(), options));
+}
+
+Navigator::Navigator(std::shared_ptr<const building::Building> building,
+                     std::unique_ptr<localisation::Localiser> localiser,
+                     std::shared_ptr<const routing::Planner> planner, const NavigatorOptions& options)
+    : m_building(building), m_localiser(std::move(localiser)), m_history(options.history),
+      m_tracker(building, std::move(planner), options.tracker), m_scheduler(building, options.guidance) {
+    m_localiser->start(0.0, std::nullopt);
+}
+
+void Navigator::start(double time, const std::optional<RegionId>& region) {
+    m_history.clear();
+    m_localiser->start(time, region);
+    m_lastFix = {};
+    m_lastFix.time = time;
+    // Only for preview(): the next frame brings the localiser's own word.
+    m_lastFix.region = region;
+    m_lastFix.confidence = region ? 1.0 : 0.0;
+}
+
+void Navigator::setDestination(const std::optional<building::Location>& destination) {
+    m_tracker.setDestination(destination);
+}
+
+void Navigator::setVerbosity(guidance::Verbosity verbosity) { m_scheduler.setVerbosity(verbosity); }
+
+NavigationStep Navigator::advance(Percept percept) {
+    percept.time = std::max(percept.time, m_lastTime);
+    m_lastTime = percept.time;
+    m_lastFrame = percept.frame;
+    NavigationStep step;
+    step.fresh = m_history.add(observationsOf(percept));
+    step.history = m_history.items();
+    if (percept.motion.turn || percept.motion.speed) m_localiser->moved(percept.time, percept.motion);
+    m_localiser->setRoute(m_tracker.context());
+    step.fix = m_localiser->update(percept.time, step.fresh, step.history);
+    step.progress = m_tracker.update(step.fix);
+    step.cues = m_scheduler.update(percept.frame, step.fix, step.progress, step.fresh);
+    step.percept = std::move(percept);
+    m_lastFix = step.fix;
+    return step;
+}
+
+guidance::Cue Navigator::warning(guidance::CueReason reason, std::string detail) {
+    return m_scheduler.warning(m_lastFrame, m_lastTime, reason, std::move(detail));
+}
+
+guidance::Progress Navigator::preview() const {
+    static_assert(std::is_copy_constructible_v<guidance::RouteTracker>);
+    guidance::RouteTracker copy = m_tracker;
+    return copy.update(m_lastFix);
+}
+
+} // namespace farol::session

@@ -3,6 +3,7 @@
 // through here, so that they cannot differ.
 
 #include "core/guidance/cue_scheduler.h"
+#include "core/guidance/route_tracker.h"
 #include "core/localisation/navigation_history.h"
 #include "core/localisation/voting_localiser.h"
 #include "core/session/percept.h"
@@ -34,9 +35,16 @@ public:
     /// Empty: no destination. The cue that follows (RouteStart, NoRoute, AlreadyThere) comes with the next step.
     void setDestination(const std::optional<building::Location>& destination);
     void setVerbosity(guidance::Verbosity verbosity);
+    /// A percept whose time runs backwards counts as of the time before.
     NavigationStep advance(Percept percept);
     guidance::Cue warning(guidance::CueReason reason, std::string detail);
 
+    /// What the tracker would say now, without a frame and without changing anything: a destination chosen while the
+    /// walk is paused shows its route at once.
+    guidance::Progress preview() const;
+    const localisation::Fix& lastFix() const { return m_lastFix; }
+    double lastTime() const { return m_lastTime; }
+    std::uint64_t lastFrame() const { return m_lastFrame; }
     const building::Building& building() const { return *m_building; }
 
 private:
@@ -48,6 +56,7 @@ private:
     localisation::NavigationHistory m_history;
     guidance::RouteTracker m_tracker;
     guidance::CueScheduler m_scheduler;
+    localisation::Fix m_lastFix;
     std::uint64_t m_lastFrame = 0;
     double m_lastTime = 0.0;
 };

@@ -15,6 +15,9 @@ namespace farol::session {
 
 struct PerceptionOptions {
     bool landmarks = true, doors = true, text = true;
+    /// Generic boards as detections too. Off: they only say where the text reader looks, and would fill the short
+    /// history with things that nearly every wall has.
+    bool rectangles = false;
     recognition::RecogniserOptions recogniser;
     recognition::DoorDetectorOptions doorDetector;
     recognition::RectangleDetectorOptions rectangleDetector;
@@ -28,17 +31,19 @@ struct PerceptionOptions {
 
 class Perception {
 public:
-    /// `library` may be null: no trained landmarks. `warnings` tells what had to be left out (no tessdata).
+    /// `library` may be null: no trained landmarks. `warnings` tells what had to be left out (no landmarks, no tessdata).
     Perception(std::shared_ptr<const recognition::LandmarkLibrary> library, PerceptionOptions options,
                std::vector<std::string>& warnings);
     Percept look(const capture::Frame& frame, HopTimes* times = nullptr);
 
 private:
+    void readText(const capture::Frame& frame, const recognition::DetectorResult& boards, Percept& percept, HopTimes& times);
+
     PerceptionOptions m_options;
     std::optional<recognition::LandmarkRecogniser> m_recogniser;
     std::optional<recognition::TextReader> m_reader;
     localisation::SceneContext m_scene;
-    std::optional<double> m_lastReading;
+    std::optional<double> m_lastReading; ///< frame time
 };
 
 } // namespace farol::session

@@ -1,0 +1,136 @@
+// Percepts with every digit, as recordings keep them.
+
+#include "core/session/json_lines.h"
+
+#include <limits>
+
+namespace farol::session {
+
+namespace {
+
+constexpr std::int64_t kMostInt = std::numeric_limits<int>::max();
+
+Json exactQuad(const Quad& quad) {
+    Json json = Json::array();
+    for (ImagePoint corner : quad) json.push_back(Json::array({exactNumber(corner.x), exactNumber(corner.y)}));
+    return json;
+}
+
+Json sizeJson(ImageSize size) { return Json::array({size.width, size.height}); }
+
+ImageSize sizeFrom(JsonFields& fields, const char* key) {
+    std::vector<double> size = fields.numbers(key, 2);
+    bool sane = size[0] >= 0.0 && size[1] >= 0.0 && size[0] <= double(kMostInt) && size[1] <= double(kMostInt);
+    if (!sane) {
+        fields.complain(std::string("\"") + key + "\" is not a picture's [width, height] in pixels");
+        return {};
+    }
+    return {static_cast<int>(size[0]), static_cast<int>(size[1])};
+}
+
+Kind kindFrom(JsonFields& fields) {
+    std::string word = fields.text("kind");
+    return kindFromName(word).value_or(Kind::Other);
+}
+
+Json detectionJson(const recognition::Detection& detection) {
+    Json json;
+    json["kind"] = kindName(detection.kind);
+    if (!detection.templateId.empty()) json["template"] = detection.templateId.value;
+    if (!detection.text.empty()) json["text"] = detection.text;
+    json["quad"] = exactQuad(detection.quad);
+    json["image"] = sizeJson(detection.image);
+    json["score"] = exactNumber(detection.score);
+    if (detection.inliers != 0) json["inliers"] = detection.inliers;
+    if (detection.rangeM) json["range_m"] = exactNumber(*detection.rangeM);
+    if (detection.bearing) json["bearing_rad"] = exactNumber(detection.bearing->value);
+    return json;
+}
+
+recognition::Detection detectionFrom(JsonFields& fields) {
+    recognition::Detection detection;
+    detection.kind = kindFrom(fields);
+    detection.templateId = TemplateId(fields.textOr("template", ""));
+    detection.text = fields.textOr("text", "");
+    detection.quad = fields.quad("quad");
+    detection.image = sizeFrom(fields, "image");
+    detection.score = fields.number("score");
+    detection.inliers = static_cast<int>(fields.integerOr("inliers", 0, kMostInt, 0));
+    detection.rangeM = fields.optionalNumber("range_m");
+    if (auto bearing = fields.optionalNumber("bearing_rad")) detection.bearing = Radians{*bearing};
+    return detection;
+}
+
+Json rejectionJson(const recognition::Rejection& rejection) {
+    Json json;
+    json["detector"] = rejection.detector;
+    json["kind"] = kindName(rejection.kind);
+    if (!rejection.templateId.empty()) json["template"] = rejection.templateId.value;
+    json["quad"] = exactQuad(rejection.quad);
+    json["reason"] = rejection.reason;
+    json["value"] = exactNumber(rejection.value);
+    return json;
+}
+
+recognition::Rejection rejectionFrom(JsonFields& fields) {
+    recognition::Rejection rejection;
+    rejection.detector = fields.text("detector");
+    rejection.kind = kindFrom(fields);
+    rejection.templateId = TemplateId(fields.textOr("template", ""));
+    rejection.quad = fields.quad("quad");
+    rejection.reason = fields.text("reason");
+    rejection.value = fields.numberOr("value", 0.0);
+    return rejection;
+}
+
+template <class Value, class Read>
+std::vector<Value> listFrom(JsonFields& fields, const char* key, Read read) {
+    std::vector<Value> values;
+    for (const Json& item : fields.array(key)) {
+        JsonFields inner(item);
+        values.push_back(read(inner));
+        if (!inner.ok()) fields.complain(std::string("in \"") + key + "\": " + inner.wrong());
+        if (!fields.ok()) return {};
+    }
+    return values;
+}
+
+} // namespace
+
+Json perceptJson(const Percept& percept) {
+    Json json;
+    json["frame"] = percept.frame;
+    json["t"] = exactNumber(percept.time);
+    json["name"] = percept.name;
+    json["size"] = sizeJson(percept.size);
+    json["scene"] = percept.scene;
+    json["sharpness"] = exactNumber(percept.sharpness);
+    json["detections"] = Json::array();
+    for (const recognition::Detection& detection : percept.detections)
+        json["detections"].push_back(detectionJson(detection));
+    json["rejections"] = Json::array();
+    for (const recognition::Rejection& rejection : percept.rejections)
+        json["rejections"].push_back(rejectionJson(rejection));
+    if (percept.motion.turn) json["turn_rad"] = exactNumber(percept.motion.turn->value);
+    if (percept.motion.speed) json["speed"] = exactNumber(*percept.motion.speed);
+    return json;
+}
+
+Result<Percept> perceptFromJson(const Json& json) {
+    JsonFields fields(json);
+    Percept percept;
+    percept.frame = static_cast<std::uint64_t>(fields.integer("frame", 0, std::numeric_limits<std::int64_t>::max()));
+    percept.time = fields.number("t");
+    percept.name = fields.textOr("name", "");
+    percept.size = sizeFrom(fields, "size");
+    percept.scene = static_cast<int>(fields.integer("scene", 0, kMostInt));
+    percept.sharpness = fields.numberOr("sharpness", 0.0);
+    percept.detections = listFrom<recognition::Detection>(fields, "detections", detectionFrom);
+    percept.rejections = listFrom<recognition::Rejection>(fields, "rejections", rejectionFrom);
+    if (auto turn = fields.optionalNumber("turn_rad")) percept.motion.turn = Radians{*turn};
+    percept.motion.speed = fields.optionalNumber("speed");
+    if (!fields.ok()) return fields.error();
+    return percept;
+}
+
+} // namespace farol::session

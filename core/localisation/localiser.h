@@ -26,6 +26,7 @@ struct RegionVote {
 /// hedged accordingly. `region` empty: not known.
 struct Fix {
     double time = 0.0;
+    double evidenceTime = 0.0;       ///< of the last observation it rests on, or of the start
     std::optional<RegionId> region;
     double confidence = 0.0;
     std::vector<RegionId> near;      ///< region and neighbours that could be it

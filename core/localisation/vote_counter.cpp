@@ -11,6 +11,13 @@ namespace {
 constexpr std::size_t kMostItems = 64;
 constexpr double kTie = 1e-9;
 
+/// One bit for each of the newest items.
+std::uint64_t newestItems(std::size_t size, std::size_t count) {
+    std::uint64_t mask = 0;
+    for (std::size_t i = size - std::min(count, size); i < size; ++i) mask |= std::uint64_t{1} << i;
+    return mask;
+}
+
 bool isLevelChange(Kind kind) { return kind == Kind::Stairs || kind == Kind::Elevator; }
 
 int signWithDeadBand(double value, double deadBand) { return value > deadBand ? 1 : value < -deadBand ? -1 : 0; }
@@ -38,6 +45,11 @@ bool boxesMeet(const Box2& a, const Box2& b, double gap) {
 }
 
 } // namespace
+
+double regionVote(double preg, double rp, double rv, bool clamp) {
+    double neighbourWeight = clamp ? std::max(preg - 1.0, 0.0) : preg - 1.0;
+    return preg * rp + neighbourWeight * rv;
+}
 
 /// What one count works on: the history, and which landmarks are identical to which of its items.
 struct VoteCounter::Tally {
@@ -121,9 +133,7 @@ VoteCounter::Tally VoteCounter::tally(const Situation& situation, const std::deq
 }
 
 VoteCounter::Mask VoteCounter::lastDetected(const Tally& tally, std::size_t freshCount) const {
-    std::size_t size = tally.items.size();
-    Mask fresh = 0;
-    for (std::size_t i = size - std::min(freshCount, size); i < size; ++i) fresh |= Mask{1} << i;
+    Mask fresh = newestItems(tally.items.size(), freshCount);
     if (m_options.genericsToOverrule <= 1 || tally.unmistakable == 0) return fresh;
     if (Mask telling = fresh & tally.unmistakable; telling != 0) return telling;
     auto newest = static_cast<std::size_t>(std::bit_width(tally.unmistakable)) - 1;
@@ -256,15 +266,14 @@ void VoteCounter::addRegionWeights(const Situation& situation, const Tally& tall
     if (onRoute && (ballot.bestObject || !m_options.percNeedsObject)) ballot.pperc = m_options.pperc;
     if (sceneAgrees(tally, ballot.region)) ballot.pid = m_options.pid;
     ballot.preg = ballot.pmaxobj + ballot.ppos + ballot.pperc + ballot.pid;
-    double neighbourWeight = ballot.preg - 1.0;
-    if (m_options.clampNeighbourWeight) neighbourWeight = std::max(neighbourWeight, 0.0);
-    ballot.vreg = ballot.preg * ballot.rp + neighbourWeight * ballot.rv;
+    ballot.vreg = regionVote(ballot.preg, ballot.rp, ballot.rv, m_options.clampNeighbourWeight);
 }
 
 std::vector<Ballot> VoteCounter::count(const Situation& situation, const std::deque<Observation>& history,
                                        std::size_t freshCount) const {
     Tally work = tally(situation, history, freshCount);
     std::vector<Ballot> ballots;
+    if (!m_options.unmappedObjectsCount && (newestItems(work.items.size(), freshCount) & work.mapped) == 0) return ballots;
     for (std::size_t region = 0; region < m_building->regions().size(); ++region) {
         Ballot ballot;
         ballot.region = region;

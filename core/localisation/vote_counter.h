@@ -35,12 +35,16 @@ struct Ballot {
     std::vector<std::size_t> evidence;     ///< landmarks identical to history objects
 };
 
+/// Vreg = Preg x Rp + (Preg - 1) x Rv. `clamp`: the second factor not below 0.
+double regionVote(double preg, double rp, double rv, bool clamp);
+
 class VoteCounter {
 public:
     VoteCounter(std::shared_ptr<const building::Building> building, const VotingOptions& options);
 
     /// Ballots of all regions that hold history objects or adjoin such regions, best first. Ties: the current region,
-    /// then the earlier on the route, then the lower id. `freshCount` of the newest history items are the last detected.
+    /// then the earlier on the route, then the lower id. `freshCount` of the newest history items are the last detected; none when
+    /// the map knows nothing like them (unless such objects count).
     std::vector<Ballot> count(const Situation& situation, const std::deque<Observation>& history,
                               std::size_t freshCount) const;
     const std::vector<std::size_t>& neighboursOf(std::size_t region) const { return m_neighbours[region]; }

@@ -1,0 +1,187 @@
+#include "core/building/layer_writer.h"
+
+#include "core/base/text.h"
+
+#include <gdal_priv.h>
+#include <ogrsf_frmts.h>
+
+#include <utility>
+
+namespace farol::building {
+
+namespace {
+
+std::string keyOf(const OGRFeature& feature, const LayerSpec& spec) {
+    if (spec.key == nullptr) return {};
+    int index = feature.GetFieldIndex(spec.key);
+    if (index < 0 || !feature.IsFieldSetAndNotNull(index)) return {};
+    bool real = feature.GetFieldDefnRef(index)->GetType() == OFTReal;
+    return real ? formatNumber(feature.GetFieldAsDouble(index)) : feature.GetFieldAsString(index);
+}
+
+/// nullptr for no CRS: GeoPackage then notes it as undefined.
+std::unique_ptr<OGRSpatialReference> referenceOf(const std::string& crs) {
+    if (crs.empty()) return nullptr;
+    auto reference = std::make_unique<OGRSpatialReference>();
+    if (reference->SetFromUserInput(crs.c_str(), OGRSpatialReference::SET_FROM_USER_INPUT_LIMITATIONS_get()) !=
+        OGRERR_NONE)
+        return nullptr;
+    reference->SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+    return reference;
+}
+
+void addRing(OGRPolygon& polygon, const Ring& points) {
+    auto* ring = new OGRLinearRing; // the polygon takes it
+    for (Point2 p : points) ring->addPoint(p.x, p.y);
+    ring->closeRings();
+    polygon.addRingDirectly(ring);
+}
+
+} // namespace
+
+LayerWriter::LayerWriter(GDALDataset& dataset, const LayerSpec& spec, const std::string& crs, std::string context)
+    : m_dataset(dataset), m_spec(spec), m_crs(crs), m_context(std::move(context) + ", layer " + spec.name) {}
+
+Error LayerWriter::failure(const std::string& action) const {
+    return m_messages.error(ErrorCode::Io, action, m_context);
+}
+
+bool LayerWriter::crsDiffers() const {
+    if (m_spec.geometry == wkbNone) return false;
+    const OGRSpatialReference* present = m_layer->GetSpatialRef();
+    if (present != nullptr && std::string(present->GetName() ? present->GetName() : "").rfind("Undefined", 0) == 0)
+        present = nullptr;
+    auto wanted = referenceOf(m_crs);
+    if (present == nullptr || wanted == nullptr) return (present == nullptr) != (wanted == nullptr);
+    const char* const options[] = {"IGNORE_DATA_AXIS_TO_SRS_AXIS_MAPPING=YES", nullptr};
+    return present->IsSame(wanted.get(), options) == 0;
+}
+
+Result<void> LayerWriter::create() {
+    auto reference = referenceOf(m_crs);
+    if (reference == nullptr && !m_crs.empty() && m_spec.geometry != wkbNone)
+        return Error{ErrorCode::InvalidArgument, "the map's coordinate reference system cannot be understood", m_context};
+    const char* const options[] = {"GEOMETRY_NAME=geom", "FID=fid", nullptr};
+    m_layer = m_dataset.CreateLayer(m_spec.name, reference.get(), m_spec.geometry, const_cast<char**>(options));
+    if (m_layer == nullptr) return failure("cannot create the layer");
+    return {};
+}
+
+Result<void> LayerWriter::open() {
+    m_layer = m_dataset.GetLayerByName(m_spec.name);
+    if (m_layer != nullptr && crsDiffers()) {
+        // Coordinates of two systems must not stand in one layer; what is unknown in it travels in `extra`.
+        for (int i = 0; i < m_dataset.GetLayerCount(); ++i)
+            if (m_dataset.GetLayer(i) == m_layer) {
+                if (m_dataset.DeleteLayer(i) != OGRERR_NONE) return failure("cannot replace the layer");
+                break;
+            }
+        m_layer = nullptr;
+    }
+    if (m_layer == nullptr)
+        if (auto created = create(); !created) return created;
+    for (const FieldSpec& field : m_spec.fields) {
+        if (m_layer->GetLayerDefn()->GetFieldIndex(field.name) >= 0) continue;
+        OGRFieldDefn definition(field.name, field.type);
+        definition.SetSubType(field.subtype);
+        if (m_layer->CreateField(&definition) != OGRERR_NONE)
+            return failure(std::string("cannot add the field ") + field.name);
+    }
+    return indexFeatures();
+}
+
+Result<void> LayerWriter::indexFeatures() {
+    m_layer->ResetReading();
+    while (OGRFeatureUniquePtr feature{m_layer->GetNextFeature()})
+        m_old.emplace(keyOf(*feature, m_spec), feature->GetFID());
+    if (m_messages.failed()) return failure("cannot be read to its end");
+    return {};
+}
+
+Result<void> LayerWriter::addField(const std::string& name, const AttributeValue& value) {
+    if (m_layer->GetLayerDefn()->GetFieldIndex(name.c_str()) >= 0) return {};
+    // Columns that the GeoPackage itself keeps.
+    if (EQUAL(name.c_str(), m_layer->GetFIDColumn()) || EQUAL(name.c_str(), m_layer->GetGeometryColumn())) return {};
+    OGRFieldType type = std::holds_alternative<std::int64_t>(value) ? OFTInteger64
+                        : std::holds_alternative<double>(value)     ? OFTReal
+                                                                    : OFTString;
+    OGRFieldDefn definition(name.c_str(), type);
+    if (m_layer->CreateField(&definition) != OGRERR_NONE) return failure("cannot add the field " + name);
+    return {};
+}
+
+OGRFeature& LayerWriter::begin(const std::string& key) {
+    m_feature.reset();
+    auto old = key.empty() ? m_old.end() : m_old.find(key);
+    if (old != m_old.end()) {
+        m_feature.reset(m_layer->GetFeature(old->second));
+        m_old.erase(old);
+    }
+    m_isNew = m_feature == nullptr;
+    if (m_isNew) m_feature = std::make_unique<OGRFeature>(m_layer->GetLayerDefn());
+    return *m_feature;
+}
+
+void LayerWriter::set(const char* field, const std::string& text) {
+    if (text.empty()) m_feature->SetFieldNull(m_feature->GetFieldIndex(field));
+    else m_feature->SetField(field, text.c_str());
+}
+
+void LayerWriter::set(const char* field, std::optional<double> number) {
+    if (number) m_feature->SetField(field, *number);
+    else m_feature->SetFieldNull(m_feature->GetFieldIndex(field));
+}
+
+void LayerWriter::set(const char* field, bool flag) { m_feature->SetField(field, flag ? 1 : 0); }
+
+void LayerWriter::set(const Attributes& extra) {
+    for (const auto& [name, value] : extra) {
+        int index = m_feature->GetFieldIndex(name.c_str());
+        if (index < 0) continue;
+        if (const auto* whole = std::get_if<std::int64_t>(&value)) m_feature->SetField(index, static_cast<GIntBig>(*whole));
+        else if (const auto* real = std::get_if<double>(&value)) m_feature->SetField(index, *real);
+        else if (const auto* text = std::get_if<std::string>(&value)) m_feature->SetField(index, text->c_str());
+        else m_feature->SetFieldNull(index);
+    }
+}
+
+void LayerWriter::setGeometry(OGRGeometry* geometry) {
+    // QGIS likes to make Multi… layers: their features stay so.
+    OGRwkbGeometryType type = wkbFlatten(m_layer->GetGeomType());
+    if (type == wkbMultiPolygon || type == wkbMultiPoint || type == wkbMultiLineString)
+        geometry = OGRGeometryFactory::forceTo(geometry, type);
+    m_feature->SetGeometryDirectly(geometry);
+}
+
+void LayerWriter::setPolygon(const Polygon& polygon) {
+    auto shape = std::make_unique<OGRPolygon>();
+    addRing(*shape, polygon.outer);
+    for (const Ring& hole : polygon.holes) addRing(*shape, hole);
+    setGeometry(shape.release());
+}
+
+void LayerWriter::setLine(const Polyline& line) {
+    if (line.size() == 1) {
+        setGeometry(new OGRPoint(line.front().x, line.front().y));
+        return;
+    }
+    auto shape = std::make_unique<OGRLineString>();
+    for (Point2 p : line) shape->addPoint(p.x, p.y);
+    setGeometry(shape.release());
+}
+
+Result<void> LayerWriter::finish() {
+    OGRErr code = m_isNew ? m_layer->CreateFeature(m_feature.get()) : m_layer->SetFeature(m_feature.get());
+    if (code != OGRERR_NONE || m_messages.failed())
+        return failure("cannot write the feature " + keyOf(*m_feature, m_spec));
+    return {};
+}
+
+Result<void> LayerWriter::close(Missing missing) {
+    if (missing == Missing::Keep) return {};
+    for (const auto& [key, number] : m_old)
+        if (m_layer->DeleteFeature(number) != OGRERR_NONE) return failure("cannot remove the feature " + key);
+    return {};
+}
+
+} // namespace farol::building

@@ -832,4 +832,11 @@
         <translation>Cuidado: deve estar perto da escada rolante.</translation>
     </message>
 </context>
+<context>
+    <name>farol::ui::SpeechQueue</name>
+    <message>
+        <source>There is nothing to repeat.</source>
+        <translation>Não há nada para repetir.</translation>
+    </message>
+</context>
 </TS>

@@ -16,6 +16,7 @@ struct VoiceChoice {
     QString language;     ///< "en", "pt", "pt_BR"; empty: the program's language
     double rate = 0.0;    ///< -1 slow to 1 fast
     double volume = 1.0;  ///< 0 to 1
+    int patienceMs = 0;   ///< how long one text may take before it counts as stuck; 0: by its length
 };
 
 class SpeechOutput : public QObject {
@@ -24,20 +25,24 @@ class SpeechOutput : public QObject {
 public:
     using QObject::QObject;
 
-    virtual void say(const QString& text) = 0; ///< interrupts what is being said
-    virtual void stop() = 0;
+    virtual void say(const QString& text) = 0; ///< replaces what is being said
+    virtual void stop() = 0;                   ///< silence; nothing is reported for the stopped text
     virtual bool speaking() const = 0;
     virtual QString description() const = 0; ///< engine and voice, for people
 
 Q_SIGNALS:
-    void finished();                     ///< the text was spoken to its end, or stopped
-    void failed(const QString& message); ///< no sound came out; the message says why and what to do
+    /// One of these for each text that is not stopped or replaced before its end.
+    void finished();                     ///< the text was spoken
+    void failed(const QString& message); ///< it was not heard; the message says why and what to do
 };
 
-/// The voice over QTextToSpeech. Never null: without an engine or audio device it reports failed() for each text.
-/// A watchdog tells when an engine speaks for longer than the text could take. GUI thread.
+/// The voice over QTextToSpeech, in a thread of its own: an engine that blocks while it starts does not block the
+/// window. Never null: without an engine or audio device it reports failed() for each text. A watchdog tells when an
+/// engine speaks for longer than the text could take.
 std::unique_ptr<SpeechOutput> makeSpeechOutput(const VoiceChoice& choice, QObject* parent = nullptr);
+/// Farol's own first.
 QStringList speechEngines();
+/// Names of the voices of an engine for a language. Starts the engine: some take seconds.
 QStringList speechVoices(const VoiceChoice& choice);
 
 } // namespace farol::ui

@@ -8,6 +8,7 @@
 #include <QObject>
 #include <QTimer>
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -22,7 +23,9 @@ struct Utterance {
 };
 
 /// A more urgent cue interrupts; equal or lower ones wait; what has expired, or belongs to an older route or another
-/// region, is dropped and never spoken late. The same text within 15 s of the walk's clock is not repeated.
+/// region, is dropped and never spoken late. The same text within 15 s of the walk's clock is not repeated, unless it
+/// tells of another manoeuvre ("turn left" at two corners). Nothing waits behind "stop": an instruction to move that
+/// was waiting when the way was lost is dropped.
 class SpeechQueue : public QObject {
     Q_OBJECT
 
@@ -32,27 +35,49 @@ public:
     void add(const guidance::Cue& cue);
     /// The walk's clock, place and route: stale utterances are dropped by these.
     void setNow(double time, const std::optional<RegionId>& region, std::uint64_t routeVersion);
-    void repeatLast(); ///< the last actionable sentence again
+    /// The last actionable sentence again, without the distance and direction of that moment.
+    void repeatLast();
     void setMuted(bool muted);
     bool muted() const { return m_muted; }
+    /// Silence, and everything forgotten: for a new walk.
     void clear();
+    /// Silence between two utterances; what interrupts or follows a failure does not wait for it.
+    void setGapMs(int gapMs) { m_gap.setInterval(gapMs); }
     const std::vector<Utterance>& waiting() const { return m_waiting; }
 
 Q_SIGNALS:
     /// Every change of an utterance's state, for the log and the screen.
     void changed(const farol::ui::Utterance& utterance);
-    /// Speech failed: to be shown, with a tone.
+    /// Speech failed: to be shown, with a tone. Once per cause, until speech works again.
     void trouble(const QString& message);
 
 private:
+    /// What was heard lately, so that it is not said again.
+    struct Told {
+        guidance::Cue cue;
+        QString text;
+        double time = 0.0;
+    };
+
+    bool stale(const guidance::Cue& cue) const;
+    bool toldLately(const Utterance& utterance) const;
+    void dropWaiting(const std::function<bool(const Utterance&)>& unwanted, UtteranceState state);
+    void enqueue(Utterance utterance);
+    void interruptFor(const guidance::Cue& cue);
     void speakNext();
+    void pauseThenNext();
     void finish(UtteranceState state);
+    void outputFailed(const QString& message);
+    void show(Utterance utterance);
 
     SpeechOutput& m_output;
     Phrasebook& m_phrasebook;
-    std::vector<Utterance> m_waiting;
+    QTimer m_gap;
+    std::vector<Utterance> m_waiting; ///< most urgent first, then in order of arrival
     std::optional<Utterance> m_current;
     std::optional<Utterance> m_lastActionable;
+    std::vector<Told> m_told;
+    QString m_trouble; ///< the last cause told
     double m_now = 0.0;
     std::optional<RegionId> m_region;
     std::uint64_t m_routeVersion = 0;

@@ -1,7 +1,144 @@
 #include "app/farol-cli/commands.h"
+#include "app/farol-cli/output.h"
+
+#include "core/capture/frame_source.h"
+#include "core/capture/picture.h"
+#include "core/recognition/landmark_recogniser.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <ctime>
+#include <filesystem>
+#include <functional>
+#include <memory>
 
 namespace farol::cli {
 
-void addRecogniseCommands(CLI::App& /*app*/, int& /*exitCode*/) {}
+namespace {
+
+using Json = nlohmann::ordered_json;
+using namespace recognition;
+namespace fs = std::filesystem;
+
+double cpuMilliseconds() {
+    timespec now{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) * 1e3 + static_cast<double>(now.tv_nsec) * 1e-6;
+}
+
+double rounded(double value, double steps) { return std::round(value * steps) / steps; }
+
+Json quadJson(const Quad& quad) {
+    Json json = Json::array();
+    for (const ImagePoint& p : quad) json.push_back(Json::array({rounded(p.x, 100.0), rounded(p.y, 100.0)}));
+    return json;
+}
+
+/// One picture of an argument: the file's path (the video's for its frames), and the frame itself.
+struct Picture {
+    std::string file;
+    bool ofVideo = false;
+    capture::Frame frame;
+};
+
+using Look = std::function<DetectorResult(const cv::Mat&)>;
+using DetectionJson = std::function<Json(const Detection&)>;
+
+Json pictureJson(const Picture& picture, double milliseconds, const DetectorResult& found, const DetectionJson& one) {
+    Json json;
+    json["file"] = picture.file;
+    if (picture.ofVideo) {
+        json["frame"] = picture.frame.index;
+        json["t"] = rounded(picture.frame.capturedAt, 1000.0);
+    }
+    json["size"] = Json::array({picture.frame.image.cols, picture.frame.image.rows});
+    json["ms"] = rounded(milliseconds, 100.0);
+    json["detections"] = Json::array();
+    for (const Detection& detection : found.detections) json["detections"].push_back(one(detection));
+    return json;
+}
+
+void printForPeople(const Picture& picture, const DetectorResult& found) {
+    std::string name = picture.file + (picture.ofVideo ? " frame " + std::to_string(picture.frame.index) : "");
+    if (found.detections.empty()) printLine(name + ": nothing");
+    for (const Detection& d : found.detections) {
+        std::string what(kindName(d.kind));
+        if (!d.templateId.empty()) what += " " + d.templateId.value;
+        if (!d.text.empty()) what += " \"" + d.text + "\"";
+        char score[32];
+        std::snprintf(score, sizeof score, "%.2f", d.score);
+        printLine(name + ": " + what + ", " + std::string(zoneName(d.zone())) + ", score " + score +
+                  (d.inliers > 0 ? ", " + std::to_string(d.inliers) + " points" : ""));
+    }
+}
+
+/// Looks at every picture of the arguments in turn. What cannot be read is told and skipped; only when nothing at all
+/// could be read is that a failure.
+int lookAtAll(const std::vector<std::string>& sources, bool jsonLines, const Look& look, const DetectionJson& one) {
+    std::uint64_t seen = 0;
+    for (const std::string& name : sources) {
+        auto source = capture::openSource(name);
+        if (!source) {
+            report(source.error());
+            continue;
+        }
+        (*source)->onEvent([&](const capture::SourceEvent& event) { warn(event.message); });
+        std::error_code ignored;
+        bool folder = fs::is_directory(name, ignored);
+        while (auto frame = (*source)->next()) {
+            Picture picture{name, frame->name.empty(), std::move(*frame)};
+            if (folder) picture.file = (fs::path(name) / picture.frame.name).string();
+            double start = cpuMilliseconds();
+            DetectorResult found = look(picture.frame.image);
+            double spent = cpuMilliseconds() - start;
+            ++seen;
+            if (jsonLines)
+                printLine(pictureJson(picture, spent, found, one).dump(-1, ' ', false, Json::error_handler_t::replace));
+            else printForPeople(picture, found);
+        }
+    }
+    if (seen > 0) return kDone;
+    std::fprintf(stderr, "farol-cli: none of the pictures could be read\n");
+    return kFailed;
+}
+
+int recognise(const std::string& path, const std::vector<std::string>& sources, bool jsonLines) {
+    auto library = loadLibrary(path);
+    if (!library) return report(library.error());
+    LandmarkRecogniser recogniser(std::make_shared<const LandmarkLibrary>(std::move(*library)));
+    return lookAtAll(
+        sources, jsonLines, [&](const cv::Mat& image) { return recogniser.recognise(image); },
+        [](const Detection& d) {
+            Json json;
+            json["template"] = d.templateId.value;
+            json["kind"] = std::string(kindName(d.kind));
+            json["score"] = rounded(d.score, 10000.0);
+            json["inliers"] = d.inliers;
+            json["quad"] = quadJson(d.quad);
+            json["zone"] = std::string(zoneName(d.zone()));
+            return json;
+        });
+}
+
+} // namespace
+
+void addRecogniseCommands(CLI::App& app, int& exitCode) {
+    struct Arguments {
+        std::string library;
+        std::vector<std::string> sources;
+        bool jsonLines = false;
+    };
+    auto arguments = std::make_shared<Arguments>();
+    CLI::App* recognising = app.add_subcommand("recognise", "Find a library's templates in pictures");
+    recognising->footer("Example:\n  farol-cli recognise corridor.gpkg walk/ --json-lines");
+    recognising->add_option("library", arguments->library, "Library or map (*.gpkg)")->required();
+    recognising->add_option("pictures", arguments->sources, "Pictures, folders of pictures, videos")->required();
+    recognising->add_flag("--json-lines", arguments->jsonLines, "One JSON object a picture");
+    recognising->callback(
+        [arguments, &exitCode] { exitCode = recognise(arguments->library, arguments->sources, arguments->jsonLines); });
+}
 
 } // namespace farol::cli

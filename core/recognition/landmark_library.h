@@ -27,6 +27,7 @@ struct View {
 struct Template {
     TemplateId id;
     Kind kind = Kind::Other;
+    std::string unknownKind; ///< as it stands in the file when the list of kinds does not have it (kind is Other then)
     std::string name; ///< for people; the id when empty
     std::optional<double> widthM, heightM; ///< real size
     std::vector<View> views;

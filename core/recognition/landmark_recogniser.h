@@ -21,7 +21,7 @@ struct RecogniserOptions {
     double placeRatio = 0.8;
     int placeCandidates = 5;       ///< verified one by one
     double reprojectionPx = 4.0;
-    double minSharpness = 12.0;    ///< of the blur gate; see sharpness.h
+    double minSharpness = 3.0;     ///< of the blur gate; see sharpness.h. Blank walls score 1, dim corridors 6
 
     Result<void> check() const;
 };

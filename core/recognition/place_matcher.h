@@ -1,0 +1,50 @@
+#pragma once
+// Places: whole views of a spot, not planes. Only this folder includes it.
+
+#include "core/recognition/byte_index.h"
+#include "core/recognition/detection.h"
+#include "core/recognition/landmark_recogniser.h"
+
+#include <memory>
+#include <vector>
+
+namespace farol::recognition {
+
+/// How well a frame fits one trained view of a place.
+struct PlaceSupport {
+    int view = 0;      ///< of PlaceMatcher
+    int matches = 0;   ///< that pass the ratio test and agree in roll and scale
+    int inliers = 0;   ///< of the epipolar geometry
+    int cells = 0;     ///< of the frame's 8 x 6 cells that hold an inlier
+    std::vector<int> queries; ///< the inliers' keypoints of the frame
+    double strength() const;
+};
+
+class PlaceMatcher {
+public:
+    PlaceMatcher(const LandmarkLibrary& library, const RecogniserOptions& options);
+    bool empty() const { return m_views.empty(); }
+    /// At most one detection.
+    DetectorResult match(ImageSize frameSize, const Features& frame) const;
+
+    /// The verified candidates, strongest first.
+    std::vector<PlaceSupport> supports(ImageSize frameSize, const Features& frame) const;
+    const Template& placeOf(int view) const { return *m_views[static_cast<std::size_t>(view)].entry; }
+
+private:
+    struct PlaceView {
+        const Template* entry = nullptr;
+        const View* view = nullptr;
+    };
+
+    std::vector<int> candidates(const Features& frame) const;
+    PlaceSupport verified(ImageSize frameSize, const Features& frame, int view) const;
+    bool sameSpot(int a, int b) const;
+
+    RecogniserOptions m_options;
+    std::vector<PlaceView> m_views;
+    std::vector<int> m_viewOfRow;
+    std::unique_ptr<ByteIndex> m_index;
+};
+
+} // namespace farol::recognition

@@ -174,11 +174,13 @@ Result<void> checkRequest(const TrainingRequest& request, const Template* known)
 
 Result<void> checkCount(std::size_t found, std::size_t wanted, const TrainingRequest& request) {
     if (found >= wanted) return {};
-    return wrong("only " + std::to_string(found) + " features were found" +
+    Error few = wrong("only " + std::to_string(found) + " features were found" +
                      (request.kind == Kind::Place ? " in the picture" : " inside the outline") + "; at least " +
                      std::to_string(wanted) +
                      " are needed: take a sharp, well lit photograph of something with detail, from nearer",
                  request);
+    few.code = ErrorCode::NotFound;
+    return few;
 }
 
 /// JPEG stays as it came; other formats are stored as JPEG too, once and at high quality.
@@ -192,7 +194,7 @@ std::string asJpeg(const std::string& bytes, const cv::Mat& image) {
 Result<View> makeView(const LandmarkLibrary& library, const TrainingRequest& request, const Template* known,
                       const std::string& pictureBytes, const std::optional<Quad>& outline) {
     auto image = capture::decodePicture(pictureBytes, "template " + request.id.value);
-    if (!image) return wrong("the photograph cannot be read as a picture", request);
+    if (!image) return Error{ErrorCode::Corrupt, "the photograph cannot be read as a picture", "template " + request.id.value};
     View view;
     view.size = {image->cols, image->rows};
     view.outline = wholePicture(*image);

@@ -18,8 +18,8 @@ struct TrainingRequest {
 
 /// Adds one photograph (JPEG or PNG bytes) to a template of the library, which is made when it is new. An outline
 /// must be convex and inside the picture; without one the whole picture counts (kind place: always the whole).
-/// InvalidArgument when the picture cannot be decoded, the outline is wrong, the kind differs from the template's,
-/// or too few features lie inside the outline (the message says how many, and what to do).
+/// InvalidArgument when the outline is wrong or the kind differs from the template's; Corrupt when the picture cannot
+/// be decoded; NotFound when too few features lie inside the outline (the message says how many, and what to do).
 Result<void> addView(LandmarkLibrary& library, const TrainingRequest& request, const std::string& pictureBytes,
                      const std::optional<Quad>& outline);
 

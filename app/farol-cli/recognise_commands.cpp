@@ -3,7 +3,10 @@
 
 #include "core/capture/frame_source.h"
 #include "core/capture/picture.h"
+#include "core/recognition/door_detector.h"
 #include "core/recognition/landmark_recogniser.h"
+#include "core/recognition/rectangle_detector.h"
+#include "core/recognition/text_reader.h"
 
 #include <nlohmann/json.hpp>
 
@@ -123,12 +126,43 @@ int recognise(const std::string& path, const std::vector<std::string>& sources, 
         });
 }
 
+int detect(const std::vector<std::string>& only, const std::vector<std::string>& sources, bool jsonLines) {
+    auto wanted = [&](const char* name) { return std::find(only.begin(), only.end(), name) != only.end(); };
+    for (const std::string& name : only)
+        if (name != "doors" && name != "rectangles" && name != "text")
+            return report({ErrorCode::InvalidArgument, "there is no detector \"" + name + "\"; there are doors, rectangles and text",
+                           "--only"});
+    std::unique_ptr<TextReader> reader;
+    if (wanted("text")) {
+        auto made = TextReader::create();
+        if (!made) return report(made.error());
+        reader = std::make_unique<TextReader>(std::move(*made));
+    }
+    auto look = [&](const cv::Mat& image) {
+        DetectorResult result;
+        if (wanted("doors")) result.append(detectDoors(image));
+        if (wanted("rectangles")) result.append(detectRectangles(image));
+        if (reader) result.append(reader->read(image));
+        return result;
+    };
+    return lookAtAll(sources, jsonLines, look, [](const Detection& d) {
+        Json json;
+        json["kind"] = std::string(kindName(d.kind));
+        json["quad"] = quadJson(d.quad);
+        json["zone"] = std::string(zoneName(d.zone()));
+        json["score"] = rounded(d.score, 10000.0);
+        if (d.kind == Kind::Text) json["text"] = d.text;
+        return json;
+    });
+}
+
 } // namespace
 
 void addRecogniseCommands(CLI::App& app, int& exitCode) {
     struct Arguments {
         std::string library;
         std::vector<std::string> sources;
+        std::vector<std::string> only{"doors", "rectangles", "text"};
         bool jsonLines = false;
     };
     auto arguments = std::make_shared<Arguments>();
@@ -139,6 +173,13 @@ void addRecogniseCommands(CLI::App& app, int& exitCode) {
     recognising->add_flag("--json-lines", arguments->jsonLines, "One JSON object a picture");
     recognising->callback(
         [arguments, &exitCode] { exitCode = recognise(arguments->library, arguments->sources, arguments->jsonLines); });
+    CLI::App* detecting = app.add_subcommand("detect", "Find doors, rectangles and text in pictures");
+    detecting->footer("Example:\n  farol-cli detect --only doors,text corridor.jpg --json-lines");
+    detecting->add_option("--only", arguments->only, "Detectors to run: doors, rectangles, text")->delimiter(',');
+    detecting->add_option("pictures", arguments->sources, "Pictures, folders of pictures, videos")->required();
+    detecting->add_flag("--json-lines", arguments->jsonLines, "One JSON object a picture");
+    detecting->callback(
+        [arguments, &exitCode] { exitCode = detect(arguments->only, arguments->sources, arguments->jsonLines); });
 }
 
 } // namespace farol::cli

@@ -57,7 +57,8 @@ struct RouteOptions {
     double walkingSpeed = 0.8;      ///< of a blind walker, for `seconds`
     double doorSeconds = 4.0;       ///< to find and pass a door
     double stairsSecondsPerLevel = 20.0;
-    double elevatorSeconds = 45.0;  ///< waiting and riding
+    double elevatorSeconds = 45.0;  ///< waiting and riding one level; waited for once a ride
+    double elevatorSecondsPerLevel = 5.0; ///< each further level of the same ride
     double storeyHeightM = 3.0;     ///< where the map tells no elevations
     bool avoidStairs = false;
     bool avoidElevator = false;
@@ -76,12 +77,17 @@ public:
     virtual Result<Route> plan(const Location& from, const Location& to) const = 0;
 };
 
+/// Least seconds from door to door (RouteOptions), walking the shortest way within each region's polygon. Doors and
+/// narrow openings are crossed in their middle, openings drawn 1.2 m wide or more where the way is shortest, 0.4 m or
+/// more from their ends.
 std::unique_ptr<Planner> makeOptimalPlanner(std::shared_ptr<const Building> building, RouteOptions options = {});
 /// The paper's 4.1 as printed: next access by direction and distance to the destination, dead ends struck out and
 /// restarted, levels joined by common stairs or lifts. Not the shortest way; for comparison.
 std::unique_ptr<Planner> makeGreedyPlanner(std::shared_ptr<const Building> building, RouteOptions options = {});
 
-/// Turns, doors and level changes along a path. `portals` are the indices into `path` of the accesses, in order.
+/// Turns, doors and level changes along a path. `portals` are the indices into `path` of the accesses, in order. A turn
+/// is one from 30 degrees on; bends within 1 m of an access belong to its manoeuvre, and bends within 1 m of each other
+/// are one turn. What `lengthM` has beyond the path's flat length is walked on stairs, ramps and escalators.
 std::vector<Manoeuvre> manoeuvresAlong(const Building& building, const Route& route,
                                        const std::vector<std::size_t>& portals);
 

@@ -37,9 +37,9 @@ ACCESSES = {
 LANDMARKS = {
     "welcome-board": ("sign", "welcome", "WELCOME", "hall", 6.0, 5.2, 180, 1.60, 1.20, 0.90),
     "timetable": ("poster", "timetable", "TIMETABLE", "hall", 6.0, 1.0, 180, 1.55, 0.68, 0.95),
-    "ocean-poster": ("poster", "ocean", "OCEANS", "long-corridor", 7.6, 4.4, 270, 1.55, 0.68, 0.956),
+    "ocean-poster": ("poster", "ocean", "OCEANS", "long-corridor", 8.2, 4.4, 270, 1.55, 0.68, 0.956),
     "noticeboard": ("poster", "noticeboard", "", "long-corridor", 9.75, 2.0, 90, 1.55, 1.05, 0.744),
-    "cafe-sign": ("sign", "cafe", "", "long-corridor", 10.15, 4.08, 180, 1.95, 0.50, 0.50),
+    "cafe-sign": ("sign", "cafe", "", "long-corridor", 13.20, 4.08, 180, 1.95, 0.50, 0.50),
     "jazz-poster": ("poster", "jazz", "JAZZ NIGHT", "long-corridor", 11.2, 2.0, 90, 1.55, 0.68, 0.956),
     "skyline-picture": ("picture", "skyline", "CITY LIGHTS", "long-corridor", 12.0, 4.4, 270, 1.60, 0.95, 0.669),
     "extinguisher-1": ("extinguisher", "extinguisher", "", "long-corridor", 13.65, 2.0, 90, 1.45, 0.36, 0.576),
@@ -52,7 +52,7 @@ LANDMARKS = {
     "star-chart": ("poster", "stars", "THE NIGHT SKY", "library", 21.3, 5.2, 90, 1.60, 1.15, 0.869),
     "sign-1.01": ("text", "", "1.01", "long-corridor", 8.72, 2.0, 90, 1.60, 0.30, 0.177),
     "sign-1.02": ("text", "", "1.02", "long-corridor", 13.10, 2.0, 90, 1.60, 0.30, 0.177),
-    "sign-1.03": ("text", "", "1.03", "long-corridor", 8.50, 4.4, 270, 1.60, 0.30, 0.177),
+    "sign-1.03": ("text", "", "1.03", "long-corridor", 9.95, 4.4, 270, 1.60, 0.30, 0.177),
     "sign-1.04": ("text", "", "1.04", "north-corridor", 14.0, 6.30, 0, 1.60, 0.30, 0.177),
     "sign-1.05": ("text", "", "1.05", "north-corridor", 16.4, 9.08, 180, 1.60, 0.34, 0.201),
     "sign-1.06": ("text", "", "1.06", "side-corridor", 10.30, 11.0, 270, 1.60, 0.30, 0.177),
@@ -72,8 +72,8 @@ WINDOWS = {  # (x, y) of its left and right as seen from inside, sill, head
 
 # x, y, heading of the camera: from the entrance hall to the library, the camera held now to one side, now to the other.
 WALK = [
-    (0.9, 3.1, 4), (1.8, 3.1, 16), (2.7, 3.2, 22), (3.6, 3.2, -22), (4.5, 3.2, -8),
-    (5.4, 3.2, 12), (6.3, 3.2, 32), (7.2, 3.2, 8), (8.1, 3.3, -26), (9.0, 3.3, -8),
+    (0.9, 3.1, 4), (1.8, 3.1, 16), (2.7, 3.2, 22), (3.6, 3.2, -22), (4.5, 3.2, -32),
+    (5.4, 3.2, 2), (6.3, 3.2, 24), (7.2, 3.2, 30), (8.1, 3.3, -22), (9.0, 3.3, -8),
     (9.9, 3.2, -30), (10.7, 3.2, 26), (11.5, 3.1, 2), (12.3, 3.2, -30), (13.2, 3.2, -6),
     (14.3, 3.3, 30), (14.9, 3.6, 52), (15.2, 4.0, 86), (15.3, 4.6, 125), (15.2, 5.5, 78), (15.2, 6.4, 92),
     (15.2, 7.2, 78), (15.3, 7.9, 44), (15.6, 8.25, 12),

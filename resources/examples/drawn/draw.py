@@ -159,6 +159,20 @@ def seen(camera, panels, owner):
     return shares
 
 
+def near(camera, shares):
+    """Landmarks that anyone would recognise: whole, trained, at no more than twice the usual training distance, and not
+    seen at more than 55 degrees aside."""
+    names = []
+    for name, share in sorted(shares.items()):
+        template, x, y, faces, middle = (LANDMARKS[name][k] for k in (1, 4, 5, 6, 7))
+        towards = camera.place - (x, y, middle)
+        out = (np.cos(np.radians(faces)), np.sin(np.radians(faces)), 0.0)
+        aside = np.degrees(np.arccos(towards @ out / np.linalg.norm(towards)))
+        if template and share >= 0.98 and np.linalg.norm(towards) <= 2 * FAR.get(name, 1.75) and aside <= 55:
+            names.append(name)
+    return names
+
+
 def write_picture(path, image):
     small = [cv2.IMWRITE_JPEG_OPTIMIZE, 1, cv2.IMWRITE_JPEG_PROGRESSIVE, 1]
     if not cv2.imwrite(str(path), image, [cv2.IMWRITE_JPEG_QUALITY, QUALITY] + small):
@@ -167,13 +181,15 @@ def write_picture(path, image):
 
 def write_walk(folder, panels, lamps):
     (folder / "frames").mkdir(exist_ok=True)
-    lines = ["frame,region,x,y,heading_deg,visible"]
+    lines = ["frame,region,x,y,heading_deg,visible,near"]
     for number, (x, y, heading) in enumerate(WALK, 1):
         camera = Camera(x, y, heading)
         image, owner = look(camera, panels, lamps, seed=number)
         write_picture(folder / "frames" / ("%d.jpg" % number), image)
-        visible = ";".join("%s:%.2f" % item for item in sorted(seen(camera, panels, owner).items()))
-        lines.append("%d.jpg,%s,%.3f,%.3f,%g,%s" % ((number, region_at(x, y)) + on_map(x, y) + (heading % 360, visible)))
+        shares = seen(camera, panels, owner)
+        visible = ";".join("%s:%.2f" % item for item in sorted(shares.items()))
+        lines.append("%d.jpg,%s,%.3f,%.3f,%g,%s,%s" % ((number, region_at(x, y)) + on_map(x, y)
+                                                       + (heading % 360, visible, ";".join(near(camera, shares)))))
     (folder / "truth.csv").write_text("\n".join(lines) + "\n", encoding="utf-8")
 
 

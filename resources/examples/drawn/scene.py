@@ -261,7 +261,7 @@ def furniture():
 def hung():
     """The back of the projecting sign and the exit sign's, and the rods that hold them."""
     grey = "plain:150,154,158"
-    return [upright((10.15, 3.83), (10.15, 4.33), 1.70, 2.20, "template:cafe", "long-corridor"),
+    return [upright((13.20, 3.83), (13.20, 4.33), 1.70, 2.20, "template:cafe", "long-corridor"),
             upright((15.6, 9.5), (14.8, 9.5), 2.15, 2.49, grey, "north-corridor"),
             upright((14.95, 9.48), (14.97, 9.48), 2.49, CEILING, grey, "north-corridor", two_sided=True),
             upright((15.43, 9.48), (15.45, 9.48), 2.49, CEILING, grey, "north-corridor", two_sided=True)]

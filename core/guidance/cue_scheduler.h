@@ -4,8 +4,9 @@
 #include "core/guidance/cue.h"
 #include "core/guidance/route_tracker.h"
 
-#include <map>
+#include <memory>
 #include <string>
+#include <vector>
 
 namespace farol::guidance {
 
@@ -29,10 +30,16 @@ struct GuidanceOptions {
     Result<void> check() const;
 };
 
-/// Deterministic; time comes from the frames. One thread.
+struct SchedulerMemory;
+
+/// Deterministic; time comes from the frames. One thread. How a turn goes comes from the route's geometry, never from
+/// the estimated heading. Without a position a manoeuvre is announced once, on entering the region that it leaves.
 class CueScheduler {
 public:
     CueScheduler(std::shared_ptr<const building::Building> building, GuidanceOptions options = {});
+    ~CueScheduler();
+    CueScheduler(CueScheduler&&) noexcept;
+    CueScheduler& operator=(CueScheduler&&) noexcept;
 
     void setVerbosity(Verbosity verbosity) { m_options.verbosity = verbosity; }
     /// The cues this frame causes, most urgent first; often none.
@@ -42,10 +49,9 @@ public:
     Cue warning(std::uint64_t frame, double time, CueReason reason, std::string detail);
 
 private:
-    struct Memory;
     std::shared_ptr<const building::Building> m_building;
     GuidanceOptions m_options;
-    std::shared_ptr<Memory> m_memory;
+    std::unique_ptr<SchedulerMemory> m_memory;
 };
 
 } // namespace farol::guidance

@@ -1,1 +1,274 @@
 #include "core/guidance/route_tracker.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace farol::guidance {
+
+using localisation::Fix;
+using routing::Manoeuvre;
+using routing::ManoeuvreKind;
+using routing::PathPoint;
+using routing::Route;
+
+namespace {
+
+/// The vertex of the path at which a manoeuvre takes place: the nearest of its level, not before `from`.
+std::size_t vertexOf(const Route& route, const Manoeuvre& manoeuvre, std::size_t from) {
+    std::size_t best = std::min(from, route.path.size() - 1);
+    double bestGap = std::numeric_limits<double>::infinity();
+    for (std::size_t i = from; i < route.path.size(); ++i) {
+        if (route.path[i].level != manoeuvre.level) continue;
+        double gap = distance(route.path[i].position, manoeuvre.position);
+        if (gap < bestGap - 1e-6) {
+            best = i;
+            bestGap = gap;
+        }
+    }
+    return best;
+}
+
+/// Walking distance from the spot of the line nearest to `p` to the line's end.
+double distanceToEnd(const std::vector<PathPoint>& path, std::size_t first, std::size_t last, Point2 p) {
+    double bestGap = std::numeric_limits<double>::infinity(), result = 0.0, toEnd = 0.0;
+    for (std::size_t i = last; i > first; --i) {
+        Point2 a = path[i - 1].position, b = path[i].position;
+        Point2 nearest = nearestOnSegment(p, a, b);
+        double gap = distance(p, nearest);
+        if (gap < bestGap) {
+            bestGap = gap;
+            result = toEnd + distance(nearest, b);
+        }
+        toEnd += distance(a, b);
+    }
+    return result;
+}
+
+} // namespace
+
+std::string travelName(Travel travel) {
+    switch (travel) {
+    case Travel::NoDestination: return "no_destination";
+    case Travel::NoFix: return "no_fix";
+    case Travel::OnRoute: return "on_route";
+    case Travel::OffRoute: return "off_route";
+    case Travel::Arrived: return "arrived";
+    case Travel::Unreachable: return "unreachable";
+    }
+    return "unknown";
+}
+
+Result<void> TrackerOptions::check() const {
+    if (offRouteFixes < 1) {
+        return Error{ErrorCode::InvalidArgument, "a fix off the route has to come at least once",
+                     "tracker.offRouteFixes"};
+    }
+    if (!(offRouteConfidence >= 0.0 && offRouteConfidence <= 1.0)) {
+        return Error{ErrorCode::InvalidArgument, "a confidence is from 0 to 1", "tracker.offRouteConfidence"};
+    }
+    if (!(minConfidence >= 0.0 && minConfidence <= 1.0)) {
+        return Error{ErrorCode::InvalidArgument, "a confidence is from 0 to 1", "tracker.minConfidence"};
+    }
+    return {};
+}
+
+RouteTracker::RouteTracker(std::shared_ptr<const building::Building> building,
+                           std::shared_ptr<const routing::Planner> planner, TrackerOptions options)
+    : m_building(std::move(building)), m_planner(std::move(planner)), m_options(options) {}
+
+void RouteTracker::setDestination(const std::optional<building::Location>& destination) {
+    m_destination = destination;
+    std::uint64_t version = m_progress.routeVersion;
+    m_progress = {};
+    m_progress.routeVersion = version;
+    if (destination) {
+        m_progress.destination = destination->region;
+        m_progress.travel = Travel::NoFix;
+    }
+    m_doubtfulFixes = 0;
+    m_doubtCounted.reset();
+    m_refusedFrom.reset();
+}
+
+Progress RouteTracker::update(const Fix& fix) {
+    m_progress.replanned = false;
+    m_progress.distanceM.reset();
+    m_progress.remainingM.reset();
+    if (!m_destination) return m_progress;
+    if (m_building->region(m_destination->region) == nullptr) {
+        if (m_progress.travel != Travel::Unreachable) ++m_progress.routeVersion;
+        refuse("the destination " + m_destination->region.value + " is not in the map");
+        return m_progress;
+    }
+    bool usable = fix.region && m_building->regionIndex(*fix.region) && fix.confidence >= m_options.minConfidence;
+    if (!usable) {
+        // What is planned stays planned; where on it the user is, is not known now.
+        if (m_progress.travel != Travel::Unreachable && m_progress.travel != Travel::Arrived) {
+            m_progress.travel = Travel::NoFix;
+        }
+        return m_progress;
+    }
+    if (m_progress.route) follow(fix);
+    else if (m_refusedFrom != fix.region) plan(fix);
+    describeNext(fix);
+    return m_progress;
+}
+
+/// True once a surprising fix is to be acted on.
+bool RouteTracker::believed(const Fix& fix) {
+    if (m_doubtCounted != fix.evidenceTime) {
+        ++m_doubtfulFixes;
+        m_doubtCounted = fix.evidenceTime;
+    }
+    return fix.confidence >= m_options.offRouteConfidence || m_doubtfulFixes >= m_options.offRouteFixes;
+}
+
+void RouteTracker::settle() {
+    m_doubtfulFixes = 0;
+    m_doubtCounted.reset();
+}
+
+void RouteTracker::follow(const Fix& fix) {
+    std::optional<std::size_t> index = onRoute(*fix.region);
+    bool jumps = index && (*index > m_progress.regionsPassed + 1 || *index + 1 < m_progress.regionsPassed);
+    if ((!index || jumps) && !believed(fix)) {
+        if (m_progress.travel != Travel::Arrived) m_progress.travel = Travel::OnRoute;
+    } else if (!index) {
+        plan(fix);
+        m_progress.replanned = true;
+        if (m_progress.travel == Travel::OnRoute) m_progress.travel = Travel::OffRoute;
+    } else {
+        settle();
+        m_progress.regionsPassed = *index;
+        m_progress.travel = *index + 1 == m_progress.route->regions.size() ? Travel::Arrived : Travel::OnRoute;
+    }
+}
+
+/// Where on the route a region is: the next time it is passed, else the last time it was.
+std::optional<std::size_t> RouteTracker::onRoute(const RegionId& region) const {
+    const std::vector<RegionId>& regions = m_progress.route->regions;
+    auto current = regions.begin() + static_cast<std::ptrdiff_t>(m_progress.regionsPassed);
+    auto ahead = std::find(current, regions.end(), region);
+    if (ahead != regions.end()) return static_cast<std::size_t>(ahead - regions.begin());
+    for (std::size_t i = m_progress.regionsPassed; i-- > 0;) {
+        if (regions[i] == region) return i;
+    }
+    return std::nullopt;
+}
+
+void RouteTracker::refuse(const std::string& reason) {
+    m_progress.travel = Travel::Unreachable;
+    m_progress.reason = reason;
+    m_progress.route.reset();
+    m_progress.regionsPassed = 0;
+    m_progress.next.reset();
+    m_progress.afterNext.reset();
+}
+
+void RouteTracker::plan(const Fix& fix) {
+    settle();
+    // Only a position inside the region is one to plan from: a landmark may hang on the far side of its wall.
+    building::Location from{*fix.region, std::nullopt};
+    const building::Region* region = m_building->region(*fix.region);
+    if (fix.position && contains(region->polygon, *fix.position)) from.position = fix.position;
+    Result<Route> planned = m_planner->plan(from, *m_destination);
+    // Trying again from another region, in vain, is nothing new to tell.
+    bool refusedAgain = !planned && m_progress.travel == Travel::Unreachable;
+    if (!refusedAgain) ++m_progress.routeVersion;
+    if (!planned || planned->regions.empty() || planned->accesses.size() + 1 != planned->regions.size()) {
+        refuse(planned ? "the planner gave no route" : planned.error().message);
+        m_refusedFrom = fix.region;
+        return;
+    }
+    m_refusedFrom.reset();
+    m_progress.reason.clear();
+    m_progress.route = std::make_shared<const Route>(std::move(planned).value());
+    m_progress.regionsPassed = 0;
+    assignManoeuvres();
+    m_progress.travel = m_progress.route->regions.size() == 1 ? Travel::Arrived : Travel::OnRoute;
+}
+
+/// In which region of the route each manoeuvre is done. Accesses that the route does not name belong to none.
+void RouteTracker::assignManoeuvres() {
+    const Route& route = *m_progress.route;
+    m_regionOf.assign(route.manoeuvres.size(), std::nullopt);
+    std::size_t region = 0;
+    for (std::size_t i = 0; i < route.manoeuvres.size(); ++i) {
+        const AccessId& access = route.manoeuvres[i].access;
+        if (!access.empty()) {
+            auto from = route.accesses.begin() + static_cast<std::ptrdiff_t>(std::min(region, route.accesses.size()));
+            auto found = std::find(from, route.accesses.end(), access);
+            if (found == route.accesses.end()) continue;
+            region = static_cast<std::size_t>(found - route.accesses.begin());
+        }
+        m_regionOf[i] = region;
+        if (!access.empty()) ++region;
+    }
+}
+
+std::optional<double> RouteTracker::walkedM(const Fix& fix, std::size_t exit) const {
+    const Route& route = *m_progress.route;
+    if (!fix.position || !isFinite(*fix.position) || route.path.empty()) return std::nullopt;
+    const Manoeuvre& leaves = route.manoeuvres[exit];
+    if (fix.level && *fix.level != leaves.level) return std::nullopt;
+    std::size_t entry = 0;
+    for (std::size_t i = 0; i < exit; ++i) {
+        if (route.manoeuvres[i].access.empty()) continue;
+        entry = vertexOf(route, route.manoeuvres[i], entry);
+    }
+    std::size_t end = leaves.kind == ManoeuvreKind::Arrive ? route.path.size() - 1 : vertexOf(route, leaves, entry);
+    // Behind stairs and lifts the path goes on at the next vertex, on the level of the exit.
+    while (entry < end && route.path[entry].level != leaves.level) ++entry;
+    return leaves.atM - distanceToEnd(route.path, entry, end, *fix.position);
+}
+
+void RouteTracker::describeNext(const Fix& fix) {
+    m_progress.next.reset();
+    m_progress.afterNext.reset();
+    const Route* route = m_progress.route.get();
+    bool underWay = m_progress.travel == Travel::OnRoute || m_progress.travel == Travel::OffRoute;
+    if (route == nullptr || !underWay) return;
+    const std::vector<Manoeuvre>& manoeuvres = route->manoeuvres;
+    std::optional<std::size_t> first, exit;
+    for (std::size_t i = 0; i < manoeuvres.size(); ++i) {
+        std::optional<std::size_t> region = m_regionOf[i];
+        if (manoeuvres[i].kind == ManoeuvreKind::Start || !region || *region < m_progress.regionsPassed) continue;
+        if (!first) first = i;
+        if (manoeuvres[i].kind == ManoeuvreKind::Turn) continue;
+        exit = i;
+        break;
+    }
+    if (!first || !exit) return;
+    bool here = *fix.region == route->regions[m_progress.regionsPassed];
+    std::optional<double> walked = here ? walkedM(fix, *exit) : std::nullopt;
+    // A bend that lies behind the user is done.
+    while (walked && *first < *exit && manoeuvres[*first].atM <= *walked) ++*first;
+    m_progress.next = manoeuvres[*first];
+    if (*first + 1 < manoeuvres.size()) m_progress.afterNext = manoeuvres[*first + 1];
+    if (!walked) return;
+    m_progress.distanceM = std::max(0.0, manoeuvres[*first].atM - *walked);
+    m_progress.remainingM = std::max(0.0, route->lengthM - *walked);
+}
+
+localisation::RouteContext RouteTracker::context() const {
+    localisation::RouteContext context;
+    const Route* route = m_progress.route.get();
+    if (route == nullptr) return context;
+    auto current = route->regions.begin() + static_cast<std::ptrdiff_t>(m_progress.regionsPassed);
+    context.regions.assign(current, route->regions.end());
+    if (const building::Region* region = m_building->region(context.regions.front())) context.level = region->level;
+    if (m_progress.regionsPassed < route->accesses.size()) {
+        const AccessId& id = route->accesses[m_progress.regionsPassed];
+        for (const Manoeuvre& manoeuvre : route->manoeuvres) {
+            if (manoeuvre.access == id) context.nextAccess = manoeuvre.position;
+        }
+        const building::Access* access = m_building->access(id);
+        if (!context.nextAccess && access != nullptr) context.nextAccess = access->midpoint();
+    } else if (m_destination->position) {
+        context.nextAccess = m_destination->position;
+    }
+    return context;
+}
+
+} // namespace farol::guidance

@@ -11,6 +11,7 @@ enum class Travel { NoDestination, NoFix, OnRoute, OffRoute, Arrived, Unreachabl
 
 struct Progress {
     Travel travel = Travel::NoDestination;
+    RegionId destination;                    ///< empty without one
     std::uint64_t routeVersion = 0;          ///< rises with every plan
     std::shared_ptr<const routing::Route> route;
     std::size_t regionsPassed = 0;           ///< index into route->regions of the current region
@@ -18,14 +19,15 @@ struct Progress {
     std::optional<routing::Manoeuvre> afterNext;
     std::optional<double> distanceM;         ///< to it; only with a position
     std::optional<double> remainingM;        ///< to the destination; only with a position
-    bool replanned = false;                  ///< in this very step
+    bool replanned = false;                  ///< in this very step, because the route was left
     std::string reason;                      ///< why there is no route
 };
 
 std::string travelName(Travel travel);
 
 struct TrackerOptions {
-    /// A fix off the route is believed once it came this often in a row, or at this confidence at once.
+    /// A fix off the route, or one that jumps over regions of it, is believed once it came this often in a row (each
+    /// time from a new observation), or at this confidence at once.
     int offRouteFixes = 2;
     double offRouteConfidence = 0.6;
     double minConfidence = 0.0; ///< fixes below change nothing
@@ -46,15 +48,26 @@ public:
     localisation::RouteContext context() const;
 
 private:
+    void follow(const localisation::Fix& fix);
+    bool believed(const localisation::Fix& fix);
     void plan(const localisation::Fix& fix);
+    void refuse(const std::string& reason);
+    void settle();
     void describeNext(const localisation::Fix& fix);
+    std::optional<std::size_t> onRoute(const RegionId& region) const;
+    void assignManoeuvres();
+    /// How far along the route the fix is, as Manoeuvre::atM counts; empty without a usable position.
+    std::optional<double> walkedM(const localisation::Fix& fix, std::size_t exit) const;
 
     std::shared_ptr<const building::Building> m_building;
     std::shared_ptr<const routing::Planner> m_planner;
     TrackerOptions m_options;
     std::optional<building::Location> m_destination;
     Progress m_progress;
-    int m_fixesOffRoute = 0;
+    std::vector<std::optional<std::size_t>> m_regionOf; ///< of each manoeuvre: index into route->regions
+    int m_doubtfulFixes = 0;               ///< in a row, off the route or jumping along it
+    std::optional<double> m_doubtCounted;  ///< evidenceTime of the last of them
+    std::optional<RegionId> m_refusedFrom; ///< planning from there failed
 };
 
 } // namespace farol::guidance

@@ -42,13 +42,14 @@ private:
     };
 
     void vote(const std::deque<Observation>& history, std::size_t freshCount);
-    void decide(const std::vector<Ballot>& ballots, std::size_t historySize);
+    void decide(const std::vector<Ballot>& ballots, std::size_t historySize, double priorConfidence);
     void lose();
     void accept(const Ballot& winner, double confidence);
     void refuse(const std::vector<Ballot>& ballots, std::size_t contenders, const std::string& note);
     void placeAt(const Ballot& winner);
     void findNear(const std::vector<Ballot>& ballots, double support);
     void publishVotes(const std::vector<Ballot>& ballots);
+    double decayFactor() const { return std::exp2(-(m_now - m_fix.evidenceTime) / m_options.halfLifeSeconds); }
     const RegionId& idOf(std::size_t region) const { return m_building->regions()[region].id; }
 
     std::shared_ptr<const building::Building> m_building;
@@ -116,9 +117,8 @@ Fix VotingLocaliser::update(double time, std::span<const Observation> fresh,
     }
     Fix fix = m_fix;
     fix.time = m_now;
-    double decay = std::exp2(-(m_now - m_fix.evidenceTime) / m_options.halfLifeSeconds);
-    fix.confidence *= decay;
-    fix.nearConfidence *= decay;
+    fix.confidence *= decayFactor();
+    fix.nearConfidence *= decayFactor();
     return fix;
 }
 
@@ -132,12 +132,13 @@ void VotingLocaliser::vote(const std::deque<Observation>& history, std::size_t f
                                      : "no region has a vote above zero";
         return;
     }
+    double prior = m_fix.confidence * decayFactor();
     m_fix.evidenceTime = m_now;
-    decide(ballots, history.size());
+    decide(ballots, history.size(), prior);
 }
 
 /// Steps (c) to (e).
-void VotingLocaliser::decide(const std::vector<Ballot>& ballots, std::size_t historySize) {
+void VotingLocaliser::decide(const std::vector<Ballot>& ballots, std::size_t historySize, double priorConfidence) {
     const Ballot& winner = ballots.front();
     double best = winner.vreg;
     double second = ballots.size() > 1 ? std::max(ballots[1].vreg, 0.0) : 0.0;
@@ -159,7 +160,8 @@ void VotingLocaliser::decide(const std::vector<Ballot>& ballots, std::size_t his
         accept(winner, margin * support);
         if (m_options.lostWithoutObject && winner.np == 0) lose();
     } else if (contenders > 1 && current != end) {
-        accept(*current, margin * support);
+        // A tie says nothing for the region, but nothing against it either.
+        accept(*current, std::max(margin * support, priorConfidence / 2.0));
         m_fix.note = "doubtful: as likely as " + idOf(ballots[current == ballots.begin() ? 1 : 0].region).value;
     } else if (m_options.lostWithoutObject && winner.np == 0) {
         refuse(ballots, contenders, "");

@@ -52,7 +52,8 @@ struct VotingOptions {
 };
 
 /// Confidence is the lead over the runner-up as a share of the winning vote, times 0.2 + 0.2 for each history object
-/// found in the winner (at most 1), halved every `halfLifeSeconds`. It is not calibrated: it orders fixes, no more.
+/// found in the winner (at most 1), halved every `halfLifeSeconds`; a region that is only kept
+/// because it ties with others has at least half of what it had before. It is not calibrated: it orders fixes, no more.
 std::unique_ptr<Localiser> makeVotingLocaliser(std::shared_ptr<const building::Building> building,
                                                VotingOptions options = VotingOptions::repaired());
 

@@ -169,7 +169,7 @@ TEST(VotingLocaliser, ATieKeepsTheCurrentRegionAndIsDoubtful) {
     walk.start("C");
     Fix fix = walk.see(seen(Kind::Door)); // B, C and D have one each
     EXPECT_EQ(regionOf(fix), "C");
-    EXPECT_LT(fix.confidence, 0.1);
+    EXPECT_LE(fix.confidence, VotingOptions{}.startConfidence / 2);
     EXPECT_NE(fix.note.find("doubtful"), std::string::npos);
 }
 

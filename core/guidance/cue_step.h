@@ -1,0 +1,83 @@
+#pragma once
+// What one frame causes to be told, and what the scheduler remembers between frames. Private to guidance.
+
+#include "core/guidance/cue_scheduler.h"
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace farol::guidance {
+
+struct SchedulerMemory {
+    std::uint64_t lastId = 0;
+
+    // Of the present route; forgotten with it.
+    std::uint64_t version = 0;
+    std::optional<std::size_t> regionIndex;
+    double enteredAt = 0.0;
+    std::map<std::string, double> told;          ///< manoeuvre -> when, as main or second part of a cue
+    std::map<std::string, double> acted;         ///< manoeuvre -> when it was told to be done now
+    std::optional<double> routeToldAt;           ///< any cue of the route
+    std::optional<double> remainingWhenTold;     ///< metres to the destination then
+    std::optional<double> arrivedToldAt;
+    struct Advance { double evidenceTime = 0.0, remainingM = 0.0; bool along = false; };
+    std::optional<Advance> advance;
+
+    std::map<RegionId, double> announcedInto;    ///< regions named as what comes next -> when
+    std::optional<double> offRouteToldAt;
+    std::optional<double> unusableSince, unsureToldAt;
+    std::optional<RegionId> located;             ///< the last region told, or told to come next
+    std::map<RegionId, double> locatedAt;
+    struct Candidate { RegionId region; double evidenceTime = 0.0; int fixes = 0; };
+    Candidate candidate;
+    std::map<std::string, double> objectsToldAt;
+};
+
+class CueStep {
+public:
+    CueStep(const building::Building& building, const GuidanceOptions& options, SchedulerMemory& memory,
+            std::uint64_t frame, const localisation::Fix& fix, const Progress& progress);
+
+    void tellRoute();
+    void tellUnsure();
+    void tellRegion();
+    void tellObjects(const std::vector<localisation::Observation>& fresh);
+    std::vector<Cue> takeCues() { return std::move(m_cues); }
+
+private:
+    void tellRefusal();
+    void tellArrival();
+    void tellStart();
+    void tellOffRoute();
+    void tellManoeuvre();
+    void tellUnmeasured(const routing::Manoeuvre& next);
+    void tellReassurance(double aheadM);
+    void followAdvance();
+    Cue cueOf(CueKind kind, CuePriority priority, double seconds) const;
+    Cue routeCue(CueKind kind, CuePriority priority, double seconds) const;
+    void addManoeuvre(Cue cue, const routing::Manoeuvre& manoeuvre, const std::optional<routing::Manoeuvre>& after);
+    void add(Cue cue);
+    void nameRegion(Cue& cue, const RegionId& region) const;
+    std::string levelName(double ordinal, bool asOnButtons) const;
+    std::optional<double> legLength(const routing::Manoeuvre& manoeuvre) const;
+    std::optional<int> hourTo(const routing::Manoeuvre& manoeuvre) const;
+    std::string keyOf(const routing::Manoeuvre& manoeuvre) const;
+    bool toldRecently(const std::map<std::string, double>& times, const std::string& key, double seconds) const;
+    double age() const { return m_fix.time - m_fix.evidenceTime; }
+    bool distanceIsGood() const;
+
+    const building::Building& m_building;
+    const GuidanceOptions& m_options;
+    SchedulerMemory& m_memory;
+    std::uint64_t m_frame;
+    const localisation::Fix& m_fix;
+    const Progress& m_progress;
+    bool m_usable = false;
+    bool m_sure = false;
+    bool m_routeTold = false; ///< a cue of the route is among m_cues
+    std::vector<Cue> m_cues;
+};
+
+} // namespace farol::guidance

@@ -1,0 +1,156 @@
+// Whole walks: what other people's navigation programs got wrong (field.md 6.2).
+
+#include "tests/guidance/guided.h"
+
+#include <gtest/gtest.h>
+
+using namespace farol;
+using namespace farol::guidance;
+using farol::test::at;
+using farol::test::AsciiMap;
+using farol::test::Guided;
+
+namespace {
+
+std::vector<CueKind> kindsOf(const std::vector<Cue>& cues) {
+    std::vector<CueKind> kinds;
+    for (const Cue& cue : cues) kinds.push_back(cue.kind);
+    return kinds;
+}
+
+TEST(GuidedWalk, EveryDoorOnTheWayIsToldBeforeItAndArrivalAtTheEnd) {
+    Guided walk;
+    walk.tracker.setDestination(at("U"));
+    std::vector<std::string> told;
+    for (const char* region : {"A", "K", "S", "T", "U"}) {
+        for (const Cue& cue : walk.seen(region)) {
+            if (cue.manoeuvre) told.push_back(cue.manoeuvre->access.value);
+            if (cue.next && !cue.next->access.empty()) told.push_back(cue.next->access.value);
+        }
+    }
+    for (const char* access : {"A-K", "K-S", "S-T", "T-U"}) {
+        EXPECT_EQ(std::count(told.begin(), told.end(), access), 1) << access;
+    }
+    EXPECT_EQ(walk.all.back().kind, CueKind::Arrived);
+}
+
+TEST(GuidedWalk, ASecondRouteStartsClean) {
+    Guided walk;
+    walk.tracker.setDestination(at("D"));
+    for (const char* region : {"A", "K", "D"}) walk.seen(region);
+    ASSERT_EQ(walk.count(CueKind::Arrived), 1U);
+    walk.all.clear();
+    walk.tracker.setDestination(at("A"));
+    walk.seen("D");
+    EXPECT_EQ(kindsOf(walk.cues), (std::vector<CueKind>{CueKind::RouteStart}));
+    EXPECT_EQ(walk.cues.front().region.value, "A");
+    EXPECT_EQ(walk.cues.front().manoeuvre->access.value, "D-K");
+    walk.seen("K");
+    walk.seen("A");
+    EXPECT_EQ(walk.count(CueKind::Arrived), 1U);
+    for (const Cue& cue : walk.all) {
+        if (cue.routeVersion != 0) EXPECT_EQ(cue.routeVersion, 2U);
+    }
+}
+
+TEST(GuidedWalk, ChangingTheDestinationOnTheWayMakesOldCuesVoid) {
+    Guided walk;
+    walk.tracker.setDestination(at("U"));
+    walk.seen("A");
+    std::uint64_t old = walk.cues.front().routeVersion;
+    walk.tracker.setDestination(at("B"));
+    walk.seen("K");
+    ASSERT_NE(walk.find(CueKind::RouteStart), nullptr);
+    EXPECT_GT(walk.find(CueKind::RouteStart)->routeVersion, old);
+    EXPECT_EQ(walk.find(CueKind::RouteStart)->manoeuvre->access.value, "B-K");
+}
+
+TEST(GuidedWalk, GuidanceGoesOnAfterStairs) {
+    Guided walk;
+    walk.tracker.setDestination(at("U"));
+    for (const char* region : {"K", "S", "T"}) walk.seen(region);
+    bool told = false;
+    for (const Cue& cue : walk.cues) told = told || (cue.manoeuvre && cue.manoeuvre->access.value == "T-U");
+    EXPECT_TRUE(told);
+}
+
+TEST(GuidedWalk, LevelsBelowGroundAndTheGroundItselfAreLevels) {
+    auto map = AsciiMap()
+                   .floor("+---+---+\n|B  /S  |\n|   |   |\n+---+---+", -1.0)
+                   .floor("+---+---+\n|A  /T  |\n|   |   |\n+---+---+", 0.0)
+                   .join(building::AccessKind::Stairs, 'S', 'T', "main", 9);
+    Guided down(map);
+    down.tracker.setDestination(at("B"));
+    for (const char* region : {"A", "T"}) down.seen(region);
+    const Cue* cue = nullptr;
+    for (const Cue& each : down.all) {
+        if (each.manoeuvre && each.manoeuvre->kind == routing::ManoeuvreKind::Stairs) cue = &each;
+        if (each.next && each.next->kind == routing::ManoeuvreKind::Stairs) cue = &each;
+    }
+    ASSERT_NE(cue, nullptr);
+    Guided up(map);
+    up.tracker.setDestination(at("A"));
+    up.seen("S", 0, 0.9);
+    ASSERT_NE(up.find(CueKind::RouteStart), nullptr);
+    EXPECT_EQ(up.find(CueKind::RouteStart)->manoeuvre->vertical, routing::Vertical::Up);
+    EXPECT_EQ(up.find(CueKind::RouteStart)->manoeuvre->targetLevel, 0.0);
+    EXPECT_EQ(up.find(CueKind::RouteStart)->levelName, "Level 0");
+}
+
+TEST(GuidedWalk, AFlickeringFixDoesNotChatter) {
+    Guided walk;
+    walk.secondsBetween = 1.0;
+    walk.tracker.setDestination(at("U"));
+    walk.seen("A");
+    walk.all.clear();
+    for (int i = 0; i < 30; ++i) walk.seen(i % 2 == 0 ? "A" : "K", 0, 0.3);
+    EXPECT_LE(walk.all.size(), 5U) << "in half a minute";
+    EXPECT_EQ(walk.count(CueKind::OffRoute), 0U);
+}
+
+TEST(GuidedWalk, OneWrongSightDoesNotSendAnyoneAnywhere) {
+    Guided walk;
+    walk.tracker.setDestination(at("U"));
+    walk.seen("A");
+    walk.seen("K");
+    walk.all.clear();
+    walk.seen("B", 0, 0.3); // a false door
+    walk.wait(3);
+    EXPECT_TRUE(walk.all.empty());
+    walk.seen("K");
+    EXPECT_EQ(walk.count(CueKind::OffRoute), 0U);
+}
+
+TEST(GuidedWalk, WhatIsToldIsNeverStaleByDesign) {
+    Guided walk;
+    walk.tracker.setDestination(at("U"));
+    for (const char* region : {"A", "K", "K", "C", "K", "S", "T", "U"}) walk.seen(region);
+    for (const Cue& cue : walk.all) {
+        EXPECT_GT(cue.validUntil, cue.time) << cueKindName(cue.kind);
+        EXPECT_LE(cue.validUntil - cue.time, 20.0);
+        bool order = cue.kind == CueKind::Act || cue.kind == CueKind::Prepare;
+        if (order) {
+            EXPECT_FALSE(cue.validIn.empty());
+            EXPECT_NE(cue.routeVersion, 0U);
+            ASSERT_TRUE(cue.manoeuvre);
+            EXPECT_EQ(cue.validIn.front(), cue.manoeuvre->from);
+        }
+    }
+}
+
+TEST(GuidedWalk, TheSameWalkIsToldTheSame) {
+    std::vector<std::string> runs[2];
+    for (auto& lines : runs) {
+        Guided walk;
+        walk.tracker.setDestination(at("U"));
+        for (const char* region : {"A", "B", "K", "S", "T", "U"}) {
+            for (const Cue& cue : walk.seen(region, 0, 0.7)) {
+                lines.push_back(std::to_string(cue.id) + cueKindName(cue.kind) + cue.regionName + cue.intoName);
+            }
+        }
+    }
+    EXPECT_EQ(runs[0], runs[1]);
+    EXPECT_FALSE(runs[0].empty());
+}
+
+} // namespace

@@ -137,7 +137,8 @@ void CueStep::addManoeuvre(Cue cue, const Manoeuvre& manoeuvre, const std::optio
     if (!manoeuvre.from.empty()) cue.validIn = {manoeuvre.from};
     m_memory.told[keyOf(manoeuvre)] = m_fix.time;
     if (cue.kind == CueKind::Act) m_memory.acted[keyOf(manoeuvre)] = m_fix.time;
-    if (cue.next) m_memory.told[keyOf(*cue.next)] = m_fix.time;
+    // Stairs and lifts are told once more by themselves, with their steps and the level.
+    if (cue.next && !changesLevel(cue.next->kind)) m_memory.told[keyOf(*cue.next)] = m_fix.time;
     add(std::move(cue));
 }
 

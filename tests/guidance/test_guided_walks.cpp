@@ -28,9 +28,10 @@ TEST(GuidedWalk, EveryDoorOnTheWayIsToldBeforeItAndArrivalAtTheEnd) {
             if (cue.next && !cue.next->access.empty()) told.push_back(cue.next->access.value);
         }
     }
-    for (const char* access : {"A-K", "K-S", "S-T", "T-U"}) {
+    for (const char* access : {"A-K", "K-S", "T-U"}) {
         EXPECT_EQ(std::count(told.begin(), told.end(), access), 1) << access;
     }
+    EXPECT_EQ(std::count(told.begin(), told.end(), "S-T"), 2) << "ahead of the stairs, and at them with their steps";
     EXPECT_EQ(walk.all.back().kind, CueKind::Arrived);
 }
 
@@ -49,7 +50,7 @@ TEST(GuidedWalk, ASecondRouteStartsClean) {
     walk.seen("A");
     EXPECT_EQ(walk.count(CueKind::Arrived), 1U);
     for (const Cue& cue : walk.all) {
-        if (cue.routeVersion != 0) EXPECT_EQ(cue.routeVersion, 2U);
+        EXPECT_TRUE(cue.routeVersion == 0 || cue.routeVersion == 2);
     }
 }
 

@@ -62,7 +62,7 @@ bool Inbox::putWhenFree(Parcel parcel) {
 
 bool Inbox::waitForTurnLocked(std::unique_lock<std::mutex>& lock, double capturedAt) {
     while (!m_stopped) {
-        auto now = Pacer::TimePoint::clock::now();
+        auto now = m_clock();
         if (m_paused) {
             m_wasPaused = true;
             if (m_steps > 0 && !m_slot) return true;
@@ -82,7 +82,7 @@ bool Inbox::putWhenDue(Parcel parcel) {
         std::unique_lock lock(m_mutex);
         double capturedAt = parcel.frame.capturedAt;
         if (!waitForTurnLocked(lock, capturedAt)) return false;
-        auto now = Pacer::TimePoint::clock::now();
+        auto now = m_clock();
         // Its age counts from when it was due, not from when it happened to be read.
         parcel.frame.arrivedAt = m_paused ? now : m_pacer.due(capturedAt, now);
         if (m_paused) {
@@ -157,7 +157,7 @@ void Inbox::setSpeed(double factor) {
         std::scoped_lock lock(m_mutex);
         m_pacer.setSpeed(factor);
         // Else a frame that was waited for slowly would seem long overdue at the new speed.
-        if (m_lastCapturedAt) m_pacer.restart(*m_lastCapturedAt, Pacer::TimePoint::clock::now());
+        if (m_lastCapturedAt) m_pacer.restart(*m_lastCapturedAt, m_clock());
     }
     m_changed.notify_all();
 }

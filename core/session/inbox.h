@@ -10,9 +10,11 @@
 
 #include <condition_variable>
 #include <cstdint>
+#include <functional>
 #include <mutex>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -37,7 +39,10 @@ struct Work {
 
 class Inbox {
 public:
-    explicit Inbox(double speed) : m_pacer(speed) {}
+    using Clock = std::function<Pacer::TimePoint()>;
+
+    /// `clock`: the wall clock by which frames are paced.
+    explicit Inbox(double speed, Clock clock = &Pacer::TimePoint::clock::now) : m_clock(std::move(clock)), m_pacer(speed) {}
 
     // The capture thread. False: the walk is being stopped.
     bool waitUntilReady();
@@ -78,6 +83,7 @@ private:
     std::optional<Parcel> m_slot;
     std::vector<InboxItem> m_items;
     std::vector<std::string> m_carried; ///< messages of dropped frames
+    Clock m_clock;
     Pacer m_pacer;
     std::optional<double> m_lastCapturedAt;
     std::string m_failure;

@@ -27,8 +27,9 @@ std::string utteranceLine(double time, std::uint64_t frame, std::uint64_t cause,
 Json fixJson(const localisation::Fix& fix);
 Json routeJson(const routing::Route& route);
 
-/// One line of a `locate` log. `unknownKind`: the word in the file that is no kind of ours; it counts as Other.
-struct LogDetection { Percept percept; std::string unknownKind; }; ///< exactly one detection
+/// One line of a `locate` log: exactly one detection. `unknownKind`: the word in the file that is no kind of ours; it
+/// counts as Other. `frameGiven`: false where the log does not count frames.
+struct LogDetection { Percept percept; std::string unknownKind; bool frameGiven = false; };
 struct LogStart { double time = 0.0; std::optional<RegionId> region; };
 struct LogDestination { double time = 0.0; std::string where; };
 struct LogMotion { double time = 0.0; recognition::Motion motion; };

@@ -47,6 +47,7 @@ Result<LogLine> readDetection(JsonFields& fields, double time) {
     if (detection.rangeM && *detection.rangeM < 0.0) fields.complain("\"range_m\" is negative");
     if (auto bearing = fields.optionalNumber("bearing_deg")) detection.bearing = fromDegrees(*bearing);
     line.percept.time = time;
+    line.frameGiven = fields.has("frame");
     line.percept.frame = static_cast<std::uint64_t>(fields.integerOr("frame", 0, kMostFrames, 0));
     line.percept.scene = static_cast<int>(fields.integerOr("scene", 0, std::numeric_limits<int>::max(), 0));
     line.percept.size = detection.image;

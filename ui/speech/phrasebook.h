@@ -67,7 +67,5 @@ private:
 /// Installs farol_<language>.qm (and Qt's own, where it is installed) for the whole program: "en", "pt", or a locale
 /// name such as "pt_BR". False when there is none, and English is used. Needs a QCoreApplication.
 bool installTranslation(const QString& language);
-/// What the program speaks now: "en", "pt".
-QString installedLanguage();
 
 } // namespace farol::ui

@@ -1,0 +1,46 @@
+// farol-bench: Google Benchmark over core, or `--walk MAP LIBRARY FRAMES` over a real walk.
+
+#include "tests/bench/walk_bench.h"
+
+#include <benchmark/benchmark.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+
+namespace {
+
+int usage() {
+    std::fprintf(stderr, "usage: farol-bench --walk MAP LIBRARY FRAMES [--fps F] [--laps N]\n"
+                         "       farol-bench [options of Google Benchmark, such as --benchmark_filter=Navigator]\n");
+    return 2;
+}
+
+int walk(int argc, char** argv) {
+    if (argc < 5) return usage();
+    farol::bench::WalkBenchOptions options;
+    options.map = argv[2];
+    options.library = argv[3];
+    options.frames = argv[4];
+    for (int i = 5; i < argc; i += 2) {
+        if (i + 1 >= argc) return usage();
+        double value = std::atof(argv[i + 1]);
+        if (!(value > 0.0 && value <= 1e6)) return usage();
+        if (std::strcmp(argv[i], "--fps") == 0) options.framesPerSecond = value;
+        else if (std::strcmp(argv[i], "--laps") == 0) options.laps = static_cast<int>(value);
+        else return usage();
+    }
+    return farol::bench::benchWalk(options);
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    if (argc > 1 && std::strcmp(argv[1], "--walk") == 0) return walk(argc, argv);
+    if (argc > 1 && std::strcmp(argv[1], "--help") == 0) usage();
+    benchmark::Initialize(&argc, argv);
+    if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
+    benchmark::RunSpecifiedBenchmarks();
+    benchmark::Shutdown();
+    return 0;
+}

@@ -1,0 +1,197 @@
+#include "tests/bench/walk_bench.h"
+
+#include "core/building/geopackage.h"
+#include "core/session/navigation_session.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <utility>
+#include <vector>
+
+namespace farol::bench {
+
+namespace {
+
+constexpr int kWantedFrames = 300;
+constexpr double kTooOldMs = 200.0;
+
+double millisecondsSince(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// The same material over and over, as one long walk.
+class LoopedSource final : public capture::FrameSource {
+public:
+    LoopedSource(std::string source, const capture::SourceOptions& options, int laps)
+        : m_source(std::move(source)), m_options(options), m_laps(laps) {}
+
+    std::optional<capture::Frame> next() override {
+        while (!stopRequested()) {
+            if (!m_inner) {
+                if (m_lap == m_laps) return std::nullopt;
+                auto opened = capture::openSource(m_source, m_options);
+                if (!opened) return std::nullopt;
+                m_inner = std::move(opened).value();
+                ++m_lap;
+            }
+            auto frame = m_inner->next();
+            if (frame) {
+                frame->index = m_index++;
+                frame->capturedAt += m_offset;
+                m_last = frame->capturedAt;
+                return frame;
+            }
+            m_offset = m_last + (m_inner->framePeriod() > 0.0 ? m_inner->framePeriod() : 1.0);
+            m_inner.reset();
+        }
+        return std::nullopt;
+    }
+
+    bool live() const override { return false; }
+    std::string description() const override { return m_source; }
+
+private:
+    std::string m_source;
+    capture::SourceOptions m_options;
+    int m_laps;
+    int m_lap = 0;
+    std::unique_ptr<capture::FrameSource> m_inner;
+    std::uint64_t m_index = 0;
+    double m_offset = 0.0, m_last = 0.0;
+};
+
+/// Nearest rank, so that a figure is one that was measured.
+double percentile(std::vector<double> values, double share) {
+    if (values.empty()) return 0.0;
+    std::sort(values.begin(), values.end());
+    auto rank = static_cast<std::size_t>(std::ceil(share * static_cast<double>(values.size())));
+    return values[std::min(values.size() - 1, rank > 0 ? rank - 1 : 0)];
+}
+
+struct Material {
+    std::shared_ptr<const building::Building> building;
+    std::shared_ptr<const recognition::LandmarkLibrary> library;
+    capture::SourceOptions source;
+    int laps = 1;
+};
+
+Result<Material> openMaterial(const WalkBenchOptions& options) {
+    Material material;
+    auto map = building::loadBuilding(options.map);
+    if (!map) return map.error();
+    material.building = map->building;
+    auto library = recognition::loadLibrary(options.library);
+    if (!library) return library.error();
+    material.library = std::make_shared<const recognition::LandmarkLibrary>(std::move(library).value());
+    material.source.framesPerSecond = options.framesPerSecond;
+    auto source = capture::openSource(options.frames, material.source);
+    if (!source) return source.error();
+    auto count = (*source)->frameCount().value_or(kWantedFrames);
+    material.laps = options.laps > 0 ? options.laps
+                                     : std::max(1, static_cast<int>(std::ceil(kWantedFrames / std::max(1.0, double(count)))));
+    return material;
+}
+
+struct Hop {
+    const char* name;
+    std::vector<double> ms;
+};
+
+void printHops(const std::vector<Hop>& hops) {
+    std::printf("| hop | median ms | 95th percentile ms | frames |\n|---|---:|---:|---:|\n");
+    for (const Hop& hop : hops)
+        std::printf("| %s | %.2f | %.2f | %zu |\n", hop.name, percentile(hop.ms, 0.5), percentile(hop.ms, 0.95),
+                    hop.ms.size());
+}
+
+/// Hop after hop on one thread; nothing waits, nothing is dropped.
+int benchHops(const WalkBenchOptions& options, const Material& material) {
+    std::vector<std::string> warnings;
+    session::Perception perception(material.library, {}, warnings);
+    for (const std::string& warning : warnings) std::fprintf(stderr, "farol-bench: warning: %s\n", warning.c_str());
+    auto navigator = session::Navigator::create(material.building);
+    if (!navigator) {
+        std::fprintf(stderr, "farol-bench: %s\n", navigator.error().text().c_str());
+        return 1;
+    }
+    LoopedSource source(options.frames, material.source, material.laps);
+    std::vector<Hop> hops{{"1 read the picture", {}}, {"3 scene and sharpness", {}}, {"2 trained landmarks", {}},
+                          {"2 doors", {}}, {"2 boards, in frames that are read", {}}, {"2 text, in frames that are read", {}},
+                          {"3 to 6 history, vote, route, cues", {}}, {"2 to 6 together", {}}};
+    for (;;) {
+        auto start = std::chrono::steady_clock::now();
+        auto frame = source.next();
+        if (!frame) break;
+        double readMs = millisecondsSince(start);
+        start = std::chrono::steady_clock::now();
+        session::HopTimes times;
+        session::Percept percept = perception.look(*frame, &times);
+        auto navigating = std::chrono::steady_clock::now();
+        (void)(*navigator)->advance(std::move(percept));
+        times.navigateMs = millisecondsSince(navigating);
+        hops[0].ms.push_back(readMs);
+        hops[1].ms.push_back(times.sceneMs);
+        hops[2].ms.push_back(times.landmarksMs);
+        hops[3].ms.push_back(times.doorsMs);
+        if (times.textMs > 0.0) {
+            hops[4].ms.push_back(times.rectanglesMs);
+            hops[5].ms.push_back(times.textMs);
+        }
+        hops[6].ms.push_back(times.navigateMs);
+        hops[7].ms.push_back(millisecondsSince(start));
+    }
+    std::printf("Milliseconds a frame, one thread, %zu pictures of `%s`, %d time(s):\n\n", hops[0].ms.size(),
+                options.frames.c_str(), material.laps);
+    printHops(hops);
+    return hops[0].ms.empty() ? 1 : 0;
+}
+
+/// As in use: two threads, frames at their own pace, what nobody could take is dropped.
+int benchPace(const WalkBenchOptions& options, const Material& material) {
+    std::vector<double> ages;
+    session::SessionHandlers handlers;
+    handlers.step = [&](const session::NavigationStep&, const session::HopTimes& times) { ages.push_back(times.ageMs); };
+    session::SessionOptions sessionOptions;
+    sessionOptions.pace = session::Pace::RealTime;
+    auto session = session::NavigationSession::create(
+        material.building, material.library,
+        std::make_unique<LoopedSource>(options.frames, material.source, material.laps), sessionOptions, std::move(handlers));
+    if (!session) {
+        std::fprintf(stderr, "farol-bench: %s\n", session.error().text().c_str());
+        return 1;
+    }
+    (*session)->start();
+    (*session)->wait();
+    (*session)->stop();
+    auto last = (*session)->snapshot();
+    std::uint64_t dropped = last ? last->framesDropped : 0;
+    auto old = std::count_if(ages.begin(), ages.end(), [](double age) { return age > kTooOldMs; });
+    double walked = static_cast<double>(ages.size());
+    double all = walked + static_cast<double>(dropped);
+    std::printf("\nAge of a frame at the end of the chain, source at %.0f frames a second, oldest dropped:\n\n",
+                options.framesPerSecond);
+    std::printf("| frames | walked | dropped | median age ms | 95th percentile ms | older than 200 ms |\n");
+    std::printf("|---:|---:|---:|---:|---:|---:|\n");
+    std::printf("| %.0f | %.0f | %llu (%.1f %%) | %.1f | %.1f | %lld (%.1f %%) |\n", all, walked,
+                static_cast<unsigned long long>(dropped), all > 0.0 ? 100.0 * static_cast<double>(dropped) / all : 0.0,
+                percentile(ages, 0.5), percentile(ages, 0.95), static_cast<long long>(old),
+                walked > 0.0 ? 100.0 * static_cast<double>(old) / walked : 0.0);
+    return 0;
+}
+
+} // namespace
+
+int benchWalk(const WalkBenchOptions& options) {
+    auto material = openMaterial(options);
+    if (!material) {
+        std::fprintf(stderr, "farol-bench: %s\n", material.error().text().c_str());
+        return 1;
+    }
+    if (int failed = benchHops(options, *material); failed != 0) return failed;
+    return benchPace(options, *material);
+}
+
+} // namespace farol::bench

@@ -1,0 +1,133 @@
+#include "core/session/navigator.h"
+
+#include "tests/session/walk_fixture.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace farol::session {
+namespace {
+
+std::unique_ptr<Navigator> navigator(const NavigatorOptions& options = {}) {
+    auto made = Navigator::create(test::threeRooms(), options);
+    EXPECT_TRUE(made);
+    return std::move(made).value();
+}
+
+building::Location room(const char* id) { return {RegionId(id), std::nullopt}; }
+
+bool told(const NavigationStep& step, guidance::CueKind kind) {
+    return std::any_of(step.cues.begin(), step.cues.end(), [&](const guidance::Cue& cue) { return cue.kind == kind; });
+}
+
+TEST(Navigator, FollowsTheWalkerFromRoomToRoom) {
+    auto walk = navigator();
+    walk->start(0.0, RegionId("A"));
+    std::vector<std::string> regions;
+    for (const Percept& percept : test::walkThroughTheRooms()) {
+        NavigationStep step = walk->advance(percept);
+        std::string region = step.fix.region ? step.fix.region->value : "?";
+        if (regions.empty() || regions.back() != region) regions.push_back(region);
+    }
+    EXPECT_THAT(regions, testing::ElementsAre("A", "B", "C"));
+}
+
+TEST(Navigator, TellsTheRouteWithTheStepAfterTheDestination) {
+    auto walk = navigator();
+    walk->start(0.0, RegionId("A"));
+    auto percepts = test::walkThroughTheRooms();
+    EXPECT_EQ(walk->advance(percepts[0]).progress.travel, guidance::Travel::NoDestination);
+    walk->setDestination(room("C"));
+    bool routeTold = false;
+    for (std::size_t i = 1; i < 4; ++i) {
+        NavigationStep step = walk->advance(percepts[i]);
+        ASSERT_TRUE(step.progress.route);
+        EXPECT_THAT(step.progress.route->regions, testing::ElementsAre(RegionId("A"), RegionId("B"), RegionId("C")));
+        routeTold = routeTold || told(step, guidance::CueKind::RouteStart);
+    }
+    EXPECT_TRUE(routeTold);
+}
+
+TEST(Navigator, SaysThatARoomCannotBeReached) {
+    auto walk = navigator();
+    walk->start(0.0, RegionId("A"));
+    walk->setDestination(room("D"));
+    bool said = false;
+    for (const Percept& percept : test::walkThroughTheRooms()) {
+        NavigationStep step = walk->advance(percept);
+        said = said || told(step, guidance::CueKind::NoRoute);
+    }
+    EXPECT_TRUE(said);
+}
+
+TEST(Navigator, ALookAheadChangesNothing) {
+    auto plain = navigator();
+    auto curious = navigator();
+    test::Lines a, b;
+    for (Navigator* each : {plain.get(), curious.get()}) {
+        each->start(0.0, RegionId("A"));
+        each->setDestination(room("C"));
+    }
+    EXPECT_EQ(curious->preview().travel, guidance::Travel::OnRoute);
+    for (const Percept& percept : test::walkThroughTheRooms()) {
+        a.step(plain->advance(percept));
+        b.step(curious->advance(percept));
+        curious->preview();
+        curious->preview();
+    }
+    EXPECT_EQ(a.text, b.text);
+}
+
+TEST(Navigator, ANewStartForgetsWhatWasSeen) {
+    auto walk = navigator();
+    walk->start(0.0, RegionId("A"));
+    auto percepts = test::walkThroughTheRooms();
+    NavigationStep before;
+    for (std::size_t i = 0; i < 9; ++i) before = walk->advance(percepts[i]);
+    EXPECT_FALSE(before.history.empty());
+    walk->start(before.fix.time, std::nullopt);
+    Percept nothing;
+    nothing.time = before.fix.time;
+    NavigationStep after = walk->advance(nothing);
+    EXPECT_TRUE(after.history.empty());
+    EXPECT_FALSE(after.fix.region);
+}
+
+TEST(Navigator, TimeNeverRunsBackwards) {
+    auto walk = navigator();
+    Percept percept;
+    percept.time = 10.0;
+    walk->advance(percept);
+    percept.time = 3.0;
+    EXPECT_EQ(walk->advance(percept).percept.time, 10.0);
+}
+
+TEST(Navigator, WarningsCountWithTheOtherCues) {
+    auto walk = navigator();
+    guidance::Cue first = walk->warning(guidance::CueReason::CameraLost, "unplugged");
+    guidance::Cue second = walk->warning(guidance::CueReason::CameraBack, "");
+    EXPECT_EQ(first.kind, guidance::CueKind::Warning);
+    EXPECT_EQ(first.detail, "unplugged");
+    EXPECT_LT(first.id, second.id);
+}
+
+TEST(Navigator, UnknownMethodsAreNamed) {
+    NavigatorOptions options;
+    options.localiser = "magic";
+    auto made = Navigator::create(test::threeRooms(), options);
+    ASSERT_FALSE(made);
+    EXPECT_EQ(made.error().code, ErrorCode::InvalidArgument);
+    EXPECT_THAT(made.error().text(), testing::HasSubstr("voting"));
+    options = {};
+    options.planner = "magic";
+    ASSERT_FALSE(Navigator::create(test::threeRooms(), options));
+    ASSERT_FALSE(Navigator::create(nullptr));
+    options = {};
+    options.history.capacity = 0;
+    ASSERT_FALSE(Navigator::create(test::threeRooms(), options));
+}
+
+} // namespace
+} // namespace farol::session

@@ -2,6 +2,37 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="pt_PT" sourcelanguage="en">
 <context>
+    <name>farol::espeak</name>
+    <message>
+        <source>The data of the voice are missing: install espeak-ng-data.</source>
+        <translation>Faltam os dados da voz: instale o pacote espeak-ng-data.</translation>
+    </message>
+    <message>
+        <source>There is no sound device.</source>
+        <translation>Não há dispositivo de som.</translation>
+    </message>
+    <message>
+        <source>The sound device cannot play speech: choose another one.</source>
+        <translation>O dispositivo de som não consegue reproduzir fala: escolha outro.</translation>
+    </message>
+    <message>
+        <source>The sound device does not start.</source>
+        <translation>O dispositivo de som não arranca.</translation>
+    </message>
+    <message>
+        <source>The sound device stopped in the middle of a text.</source>
+        <translation>O dispositivo de som parou a meio de um texto.</translation>
+    </message>
+    <message>
+        <source>The voice cannot be loaded: choose another one.</source>
+        <translation>Não foi possível carregar a voz: escolha outra.</translation>
+    </message>
+    <message>
+        <source>The text could not be turned into sound.</source>
+        <translation>Não foi possível transformar o texto em som.</translation>
+    </message>
+</context>
+<context>
     <name>farol::ui::Phrasebook</name>
     <message>
         <source>I am not sure where you are. Stop, and turn slowly to the right, so that I can look around.</source>
@@ -17,25 +48,12 @@
         <translation>Destino: %1.</translation>
     </message>
     <message>
-        <source>First, move forward, then</source>
-        <translation>Primeiro, avance e depois</translation>
-    </message>
-    <message>
-        <source>First, probably, move forward, then</source>
-        <translation>Primeiro, provavelmente, avance e depois</translation>
-    </message>
-    <message>
         <source>First</source>
         <translation>Primeiro</translation>
     </message>
     <message>
         <source>First, probably</source>
         <translation>Primeiro, provavelmente</translation>
-    </message>
-    <message>
-        <source>%1 %2.</source>
-        <extracomment>%1 &quot;First, move forward, then&quot;, %2 &quot;turn left&quot;</extracomment>
-        <translation>%1 %2.</translation>
     </message>
     <message numerus="yes">
         <source>In about %n metre(s)</source>
@@ -831,12 +849,55 @@
         <source>Careful: you are probably near the escalator.</source>
         <translation>Cuidado: deve estar perto da escada rolante.</translation>
     </message>
+    <message>
+        <source>%1: a bend. Follow it, %2.</source>
+        <extracomment>%1 &quot;First&quot;, %2 &quot;turning left&quot;</extracomment>
+        <translation>%1: uma curva. Siga por ela, %2.</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::SpeechOutput</name>
+    <message>
+        <source>The voice starts with the first sentence.</source>
+        <translation>A voz arranca com a primeira frase.</translation>
+    </message>
+    <message>
+        <source>The voice hangs: nothing may be heard. Choose another one in the settings.</source>
+        <translation>A voz bloqueou: pode não se ouvir nada. Escolha outra nas definições.</translation>
+    </message>
 </context>
 <context>
     <name>farol::ui::SpeechQueue</name>
     <message>
         <source>There is nothing to repeat.</source>
         <translation>Não há nada para repetir.</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::Voice</name>
+    <message>
+        <source>The voice &quot;%1&quot; is not installed. Choose another one in the settings.</source>
+        <translation>A voz &quot;%1&quot; não está instalada. Escolha outra nas definições.</translation>
+    </message>
+    <message>
+        <source>The voice &quot;%1&quot; does not start: %2</source>
+        <translation>A voz &quot;%1&quot; não arranca: %2</translation>
+    </message>
+    <message>
+        <source>The voice &quot;%1&quot; does not speak this language. Choose another one in the settings.</source>
+        <translation>A voz &quot;%1&quot; não fala esta língua. Escolha outra nas definições.</translation>
+    </message>
+    <message>
+        <source>No voice is installed.</source>
+        <translation>Não há nenhuma voz instalada.</translation>
+    </message>
+    <message>
+        <source>There is no sound device. Connect headphones or a loudspeaker.</source>
+        <translation>Não há dispositivo de som. Ligue auscultadores ou um altifalante.</translation>
+    </message>
+    <message>
+        <source>The voice does not work. Choose another one in the settings.</source>
+        <translation>A voz não funciona. Escolha outra nas definições.</translation>
     </message>
 </context>
 </TS>

@@ -49,15 +49,7 @@ QString Phrasebook::routeStart(const Cue& cue) const {
         first.next.reset();
     }
     if (!first.manoeuvre) return spoken::joined(sentences);
-    const bool turn = first.manoeuvre->kind == ManoeuvreKind::Turn;
-    const QString opener = turn ? (cue.sure ? tr("First, move forward, then") : tr("First, probably, move forward, then"))
-                                : (cue.sure ? tr("First") : tr("First, probably"));
-    if (turn) {
-        //: %1 "First, move forward, then", %2 "turn left"
-        sentences << tr("%1 %2.").arg(opener, clause(*first.manoeuvre)) << tail(first, *first.manoeuvre);
-    } else {
-        sentences << announced(first, opener, *first.manoeuvre);
-    }
+    sentences << announcedFirst(first, cue.sure ? tr("First") : tr("First, probably"), *first.manoeuvre);
     return spoken::joined(sentences);
 }
 
@@ -88,7 +80,7 @@ QString Phrasebook::offRoute(const Cue& cue) const {
         return spoken::joined({left, tr("Stop. I know no way from here.")});
     }
     if (!cue.manoeuvre) return spoken::joined({left, tr("Stop for a moment.")});
-    return spoken::joined({left, announced(cue, tr("From here"), *cue.manoeuvre)});
+    return spoken::joined({left, announcedFirst(cue, tr("From here"), *cue.manoeuvre)});
 }
 
 QString Phrasebook::located(const Cue& cue) const {

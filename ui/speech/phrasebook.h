@@ -47,6 +47,7 @@ private:
     QString clause(const Manoeuvre& manoeuvre) const;
     QString clauseThere(const Manoeuvre& manoeuvre) const;
     QString announced(const guidance::Cue& cue, const QString& opener, const Manoeuvre& manoeuvre) const;
+    QString announcedFirst(const guidance::Cue& cue, const QString& opener, const Manoeuvre& manoeuvre) const;
     QString tail(const guidance::Cue& cue, const Manoeuvre& manoeuvre) const;
 
     QString routeStart(const guidance::Cue& cue) const;
@@ -67,5 +68,7 @@ private:
 /// Installs farol_<language>.qm (and Qt's own, where it is installed) for the whole program: "en", "pt", or a locale
 /// name such as "pt_BR". False when there is none, and English is used. Needs a QCoreApplication.
 bool installTranslation(const QString& language);
+/// What the program speaks now: "en", "pt".
+QString installedLanguage();
 
 } // namespace farol::ui

@@ -225,6 +225,15 @@ QString Phrasebook::announced(const Cue& cue, const QString& opener, const Manoe
     return spoken::joined({head, spoken::sentence(clauseThere(manoeuvre)), tail(cue, manoeuvre)});
 }
 
+/// The same where a way begins. Nobody knows yet which way the user faces, so "turn left" would be heard as an order
+/// for this spot: a turn is told as a bend of the way.
+QString Phrasebook::announcedFirst(const Cue& cue, const QString& opener, const Manoeuvre& manoeuvre) const {
+    const QString turning = manoeuvre.kind == ManoeuvreKind::Turn ? turningWords(manoeuvre.turn) : QString();
+    if (turning.isEmpty()) return announced(cue, opener, manoeuvre);
+    //: %1 "First", %2 "turning left"
+    return spoken::joined({tr("%1: a bend. Follow it, %2.").arg(opener, turning), tail(cue, manoeuvre)});
+}
+
 QString Phrasebook::act(const Cue& cue) const {
     if (!cue.manoeuvre) return {};
     const Manoeuvre& manoeuvre = *cue.manoeuvre;

@@ -21,6 +21,11 @@ std::vector<std::unique_ptr<QTranslator>>& installed() {
     return translators;
 }
 
+QString& currentLanguage() {
+    static QString language = QStringLiteral("en");
+    return language;
+}
+
 bool install(const QString& file, const QString& folder) {
     auto translator = std::make_unique<QTranslator>();
     if (!translator->load(file, folder)) return false;
@@ -48,11 +53,14 @@ bool installTranslation(const QString& language) {
     const bool found = installFarol(language);
     // English has plurals of its own, so it is a translation too.
     if (!found) installFarol(QStringLiteral("en"));
+    currentLanguage() = found ? language.left(2).toLower() : QStringLiteral("en");
     const QString qtFolder = QLibraryInfo::path(QLibraryInfo::TranslationsPath);
     if (found && !install(QStringLiteral("qtbase_") + language, qtFolder)) {
         install(QStringLiteral("qtbase_") + QLocale(language).name(), qtFolder);
     }
     return found;
 }
+
+QString installedLanguage() { return currentLanguage(); }
 
 } // namespace farol::ui

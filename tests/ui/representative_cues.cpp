@@ -1,0 +1,202 @@
+#include "tests/ui/representative_cues.h"
+
+namespace farol::test {
+
+using guidance::Cue;
+using guidance::CueKind;
+using guidance::CueReason;
+using routing::Manoeuvre;
+using routing::ManoeuvreKind;
+using routing::Vertical;
+
+namespace {
+
+Manoeuvre at(ManoeuvreKind kind, double turnDegrees = 0.0, Vertical vertical = Vertical::None,
+             std::optional<int> steps = std::nullopt) {
+    Manoeuvre manoeuvre;
+    manoeuvre.kind = kind;
+    manoeuvre.turn = fromDegrees(turnDegrees);
+    manoeuvre.vertical = vertical;
+    manoeuvre.steps = steps;
+    return manoeuvre;
+}
+
+Cue cueOf(CueKind kind, std::optional<Manoeuvre> manoeuvre = std::nullopt, const char* into = "") {
+    Cue cue;
+    cue.kind = kind;
+    cue.manoeuvre = manoeuvre;
+    cue.intoName = into;
+    return cue;
+}
+
+Cue with(Cue cue, std::optional<int> hour, std::optional<double> metres = std::nullopt) {
+    cue.hour = hour;
+    cue.distanceM = metres;
+    return cue;
+}
+
+Cue then(Cue cue, const Manoeuvre& next) {
+    cue.next = next;
+    return cue;
+}
+
+Cue unsure(Cue cue) {
+    cue.sure = false;
+    return cue;
+}
+
+Cue toLevel(Cue cue, const char* level) {
+    cue.levelName = level;
+    return cue;
+}
+
+Cue about(CueKind kind, const char* region, CueReason reason = CueReason::None) {
+    Cue cue = cueOf(kind);
+    cue.regionName = region;
+    cue.reason = reason;
+    return cue;
+}
+
+Cue seen(Kind kind, Zone zone, const char* text = "") {
+    Cue cue = cueOf(CueKind::Detection);
+    cue.objectKind = kind;
+    cue.zone = zone;
+    cue.text = text;
+    return cue;
+}
+
+void addStarts(std::vector<NamedCue>& list) {
+    Cue door = with(cueOf(CueKind::RouteStart, at(ManoeuvreKind::Door, 90), "Corridor B"), 9, 42.0);
+    door.regionName = "Library";
+    list.push_back({"start, door", door, true});
+    Cue blind = with(door, std::nullopt);
+    list.push_back({"start, door, no direction, no length", blind, false});
+    list.push_back({"start, door, unsure", unsure(door), false});
+    Cue begin = then(cueOf(CueKind::RouteStart, at(ManoeuvreKind::Start), "Stairwell"),
+                     at(ManoeuvreKind::Stairs, 0, Vertical::Up, 9));
+    begin.regionName = "Library";
+    list.push_back({"start, then stairs", toLevel(begin, "1"), false});
+    Cue turn = with(cueOf(CueKind::RouteStart, at(ManoeuvreKind::Turn, -90)), std::nullopt, 1.2);
+    turn.regionName = "Room 2.14";
+    list.push_back({"start, turn", turn, true});
+    list.push_back({"start, turn, unsure", unsure(turn), false});
+    list.push_back({"start, nothing known", cueOf(CueKind::RouteStart), false});
+}
+
+void addManoeuvres(std::vector<NamedCue>& list, CueKind kind, const QString& word) {
+    auto add = [&](const char* label, const Cue& cue, bool styled = false) {
+        list.push_back({word + QLatin1String(label), cue, styled});
+    };
+    const Cue door = cueOf(kind, at(ManoeuvreKind::Door, 90), "Corridor B");
+    add("door left", door, true);
+    add("door left, unsure", unsure(door));
+    add("door on the left", with(door, 9, 6.2), true);
+    add("door on the left, unsure", unsure(with(door, 9, 6.2)), true);
+    add("door left, then right", then(door, at(ManoeuvreKind::Turn, -90)), true);
+    add("door ahead, straight", with(cueOf(kind, at(ManoeuvreKind::Door, 5), "Library"), 12, 3.0), true);
+    add("door without a name", cueOf(kind, at(ManoeuvreKind::Door, -90)));
+    add("door, then arrive", then(cueOf(kind, at(ManoeuvreKind::Door, 0), "Library"), at(ManoeuvreKind::Arrive)));
+    add("opening", cueOf(kind, at(ManoeuvreKind::Opening, 0), "Hall"));
+    add("opening slightly right, unsure", unsure(cueOf(kind, at(ManoeuvreKind::Opening, -35), "Hall")), true);
+    add("opening, then door", then(cueOf(kind, at(ManoeuvreKind::Opening, 90), "Hall"), at(ManoeuvreKind::Door, -90)));
+    add("stairs up", toLevel(cueOf(kind, at(ManoeuvreKind::Stairs, 170, Vertical::Up, 9), "Corridor 2"), "2"));
+    add("stairs down, long", toLevel(cueOf(kind, at(ManoeuvreKind::Stairs, 0, Vertical::Down, 13)), "Floor 0"));
+    add("stairs down, one step", with(cueOf(kind, at(ManoeuvreKind::Stairs, 0, Vertical::Down, 1)), 12));
+    add("stairs up, unsure", unsure(cueOf(kind, at(ManoeuvreKind::Stairs, 0, Vertical::Up))));
+    add("stairs, direction unknown", cueOf(kind, at(ManoeuvreKind::Stairs)));
+    add("lift up", toLevel(cueOf(kind, at(ManoeuvreKind::Elevator, 0, Vertical::Up), "Hall 3"), "3"));
+    add("lift down to the basement",
+        with(toLevel(cueOf(kind, at(ManoeuvreKind::Elevator, 0, Vertical::Down)), "-1"), 4));
+    add("lift, unsure", unsure(cueOf(kind, at(ManoeuvreKind::Elevator))));
+    add("escalator up", toLevel(cueOf(kind, at(ManoeuvreKind::Escalator, 0, Vertical::Up), "Shops"), "1"));
+    add("escalator down, unsure", unsure(with(cueOf(kind, at(ManoeuvreKind::Escalator, 0, Vertical::Down)), 6)), true);
+    add("escalator, direction unknown", cueOf(kind, at(ManoeuvreKind::Escalator)));
+    add("ramp up", cueOf(kind, at(ManoeuvreKind::Ramp, 0, Vertical::Up), "Gallery"));
+    add("ramp down", with(cueOf(kind, at(ManoeuvreKind::Ramp, 90, Vertical::Down), "Gallery"), 1, 12.0), true);
+    add("ramp, level", cueOf(kind, at(ManoeuvreKind::Ramp, 90), "Gallery"));
+    add("turn slightly left", cueOf(kind, at(ManoeuvreKind::Turn, 40)), true);
+    add("turn left", cueOf(kind, at(ManoeuvreKind::Turn, 90)), true);
+    add("turn sharply left", cueOf(kind, at(ManoeuvreKind::Turn, 135)), true);
+    add("turn around", cueOf(kind, at(ManoeuvreKind::Turn, 180)), true);
+    add("turn sharply right", cueOf(kind, at(ManoeuvreKind::Turn, -135)), true);
+    add("turn right", with(cueOf(kind, at(ManoeuvreKind::Turn, -90)), std::nullopt, 23.0), true);
+    add("turn slightly right", cueOf(kind, at(ManoeuvreKind::Turn, -40)), true);
+    add("straight on", cueOf(kind, at(ManoeuvreKind::Turn, 3)), true);
+    add("turn left, then stairs", then(cueOf(kind, at(ManoeuvreKind::Turn, 90)),
+                                       at(ManoeuvreKind::Stairs, 0, Vertical::Down)));
+    add("turn right, unsure", unsure(cueOf(kind, at(ManoeuvreKind::Turn, -90))));
+    add("start", cueOf(kind, at(ManoeuvreKind::Start)));
+    add("arrive", cueOf(kind, at(ManoeuvreKind::Arrive), "Library"));
+    add("arrive, unsure", unsure(cueOf(kind, at(ManoeuvreKind::Arrive), "Library")));
+    add("arrive, no name", cueOf(kind, at(ManoeuvreKind::Arrive)));
+}
+
+void addDirections(std::vector<NamedCue>& list) {
+    for (int hour = 1; hour <= 12; ++hour) {
+        Cue cue = with(cueOf(CueKind::Act, at(ManoeuvreKind::Door, 4.0 - 30.0 * hour)), hour);
+        list.push_back({QStringLiteral("door and turn at %1").arg(hour), cue, true});
+    }
+}
+
+void addState(std::vector<NamedCue>& list) {
+    list.push_back({"reassure", cueOf(CueKind::Reassure), false});
+    list.push_back({"reassure, metres", with(cueOf(CueKind::Reassure), std::nullopt, 11.6), false});
+    list.push_back({"reassure, unsure", unsure(cueOf(CueKind::Reassure)), false});
+    list.push_back({"arrived", about(CueKind::Arrived, "Library"), false});
+    list.push_back({"arrived, unsure", unsure(about(CueKind::Arrived, "Library")), false});
+    list.push_back({"arrived, no name", cueOf(CueKind::Arrived), false});
+    list.push_back({"off route", cueOf(CueKind::OffRoute), false});
+    list.push_back({"off route, unsure", unsure(cueOf(CueKind::OffRoute)), false});
+    list.push_back({"off route, new way", with(cueOf(CueKind::OffRoute, at(ManoeuvreKind::Door, -90), "Hall"), 5), true});
+    list.push_back({"off route, new way, turn", cueOf(CueKind::OffRoute, at(ManoeuvreKind::Turn, 180)), false});
+    list.push_back({"off route, no way", about(CueKind::OffRoute, "Library", CueReason::DestinationUnreachable), false});
+    list.push_back({"unsure", cueOf(CueKind::Unsure), false});
+    list.push_back({"located", about(CueKind::Located, "Corridor B"), false});
+    list.push_back({"located, level", toLevel(about(CueKind::Located, "Corridor B"), "-1"), false});
+    list.push_back({"located, unsure", unsure(about(CueKind::Located, "Corridor B")), false});
+    list.push_back({"located, nowhere", cueOf(CueKind::Located), false});
+    list.push_back({"no route, unknown", about(CueKind::NoRoute, "Bar", CueReason::DestinationUnknown), false});
+    list.push_back({"no route, unknown, no name", about(CueKind::NoRoute, "", CueReason::DestinationUnknown), false});
+    list.push_back({"no route", about(CueKind::NoRoute, "Bar", CueReason::DestinationUnreachable), false});
+    list.push_back({"no route, no name", cueOf(CueKind::NoRoute), false});
+    list.push_back({"already there", about(CueKind::AlreadyThere, "Library"), false});
+    list.push_back({"already there, unsure", unsure(about(CueKind::AlreadyThere, "Library")), false});
+    list.push_back({"already there, no name", cueOf(CueKind::AlreadyThere), false});
+    for (CueReason reason : {CueReason::CameraLost, CueReason::CameraBack, CueReason::RecordingStopped,
+                             CueReason::PictureCovered, CueReason::FrameSkipped, CueReason::None}) {
+        list.push_back({QStringLiteral("warning %1").arg(static_cast<int>(reason)),
+                        about(CueKind::Warning, "", reason), false});
+    }
+}
+
+void addDetections(std::vector<NamedCue>& list) {
+    list.push_back({"detection, paper", seen(Kind::Extinguisher, {Column::Left, Row::Down}), false});
+    list.push_back({"detection, hour", with(seen(Kind::Stairs, {Column::Right, Row::Up}), 3), true});
+    list.push_back({"detection, centre", seen(Kind::ExitSign, {Column::Centre, Row::Centre}), false});
+    list.push_back({"detection, with text", seen(Kind::Sign, {Column::Left, Row::Centre}, "2.14"), false});
+    list.push_back({"detection, unsure", unsure(seen(Kind::Door, {Column::Right, Row::Centre})), false});
+    for (Kind kind : allKinds()) {
+        list.push_back({QStringLiteral("kind %1").arg(QLatin1String(kindName(kind).data())),
+                        seen(kind, {Column::Centre, Row::Up}), false});
+    }
+    Cue text = seen(Kind::Text, {Column::Left, Row::Up}, "Library.");
+    text.kind = CueKind::Text;
+    list.push_back({"text", text, false});
+    text.text = "Please close the fire door behind you at all times and keep the escape route clear of furniture";
+    list.push_back({"text, a notice", text, false});
+}
+
+} // namespace
+
+std::vector<NamedCue> representativeCues() {
+    std::vector<NamedCue> list;
+    addStarts(list);
+    addManoeuvres(list, CueKind::Prepare, QStringLiteral("prepare, "));
+    addManoeuvres(list, CueKind::Act, QStringLiteral("act, "));
+    addDirections(list);
+    addState(list);
+    addDetections(list);
+    return list;
+}
+
+} // namespace farol::test

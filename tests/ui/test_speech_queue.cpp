@@ -1,0 +1,433 @@
+// What a walker hears, in which order, and what is never said.
+
+#include "ui/speech/speech_queue.h"
+
+#include <QSignalSpy>
+#include <QTest>
+
+using namespace farol;
+using guidance::Cue;
+using guidance::CueKind;
+using guidance::CuePriority;
+using guidance::CueReason;
+using ui::SpeechQueue;
+using ui::Utterance;
+using ui::UtteranceState;
+
+namespace {
+
+/// A voice that speaks until told that it has finished.
+class RecordingOutput : public ui::SpeechOutput {
+public:
+    void say(const QString& text) override {
+        said << text;
+        if (!broken.isEmpty()) {
+            Q_EMIT failed(broken);
+            return;
+        }
+        m_speaking = true;
+    }
+    void stop() override {
+        ++stops;
+        m_speaking = false;
+    }
+    bool speaking() const override { return m_speaking; }
+    QString description() const override { return QStringLiteral("recording"); }
+    void finish() {
+        QVERIFY(m_speaking);
+        m_speaking = false;
+        Q_EMIT finished();
+    }
+
+    QStringList said;
+    QString broken; ///< a message: every text fails with it
+    int stops = 0;
+
+private:
+    bool m_speaking = false;
+};
+
+Cue cueOf(CueKind kind, CuePriority priority, double time = 0.0) {
+    Cue cue;
+    cue.kind = kind;
+    cue.priority = priority;
+    cue.time = time;
+    return cue;
+}
+
+Cue turn(CueKind kind, double degrees, double x = 0.0, double time = 0.0) {
+    Cue cue = cueOf(kind, kind == CueKind::Act ? CuePriority::ActNow : CuePriority::Prepare, time);
+    cue.manoeuvre.emplace();
+    cue.manoeuvre->kind = routing::ManoeuvreKind::Turn;
+    cue.manoeuvre->turn = fromDegrees(degrees);
+    cue.manoeuvre->position = {x, 0.0};
+    return cue;
+}
+
+Cue seen(Kind kind, double time = 0.0) {
+    Cue cue = cueOf(CueKind::Detection, CuePriority::Detection, time);
+    cue.objectKind = kind;
+    cue.zone = {Column::Left, Row::Down};
+    return cue;
+}
+
+Cue warning(CueReason reason) {
+    Cue cue = cueOf(CueKind::Warning, CuePriority::Warning);
+    cue.reason = reason;
+    return cue;
+}
+
+Cue reassure(double time = 0.0) { return cueOf(CueKind::Reassure, CuePriority::Reassurance, time); }
+
+const QString kLeft = QStringLiteral("Turn left.");
+const QString kRight = QStringLiteral("Turn right.");
+const QString kSoonRight = QStringLiteral("Soon, turn right.");
+const QString kKeep = QStringLiteral("Keep moving forward.");
+const QString kExtinguisher = QStringLiteral("Extinguisher, left, down.");
+const QString kDoor = QStringLiteral("Door, left, down.");
+const QString kUnsure =
+    QStringLiteral("I am not sure where you are. Stop, and turn slowly to the right, so that I can look around.");
+
+struct Walk {
+    Walk() : queue(output, phrasebook) {
+        queue.setGapMs(0);
+        QObject::connect(&queue, &SpeechQueue::changed, &queue, [this](const Utterance& utterance) {
+            changes.append(qMakePair(utterance.text, utterance.state));
+        });
+    }
+    /// The states a text went through.
+    QList<UtteranceState> statesOf(const QString& text) const {
+        QList<UtteranceState> states;
+        for (const auto& change : changes) {
+            if (change.first == text) states << change.second;
+        }
+        return states;
+    }
+    void finishAll() {
+        while (output.speaking()) output.finish();
+    }
+
+    RecordingOutput output;
+    ui::Phrasebook phrasebook;
+    SpeechQueue queue;
+    QList<QPair<QString, UtteranceState>> changes;
+};
+
+using States = QList<UtteranceState>;
+
+} // namespace
+
+class TestSpeechQueue : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { QVERIFY(ui::installTranslation(QStringLiteral("en"))); }
+    void speaksInOrderOfUrgencyThenArrival();
+    void urgentCueInterrupts();
+    void equalOrLowerCueWaits();
+    void remarkDoesNotCostTheTurn();
+    void expiredIsNeverSpoken();
+    void cueOfAnotherPlaceIsNeverSpoken();
+    void cueOfAnOldRouteIsCutOff();
+    void nothingToMoveWaitsBehindStop();
+    void actMakesItsPreparationSuperfluous();
+    void sameTextIsNotRepeatedWithin15Seconds();
+    void sameWordsAtTwoCornersAreBothTold();
+    void interruptedTextMayComeAgain();
+    void repeatSaysTheLastActionWithoutOldFigures();
+    void repeatWithoutAnythingSaysSo();
+    void repeatDoesNotTalkOverAWarning();
+    void mutedTextIsShown();
+    void failureIsShownAndToldOncePerCause();
+    void clearForgetsTheWalk();
+    void gapSeparatesUtterancesButNotUrgentOnes();
+    void lateReportsOfTheVoiceAreHarmless();
+    void emptySentenceIsNothing();
+};
+
+void TestSpeechQueue::speaksInOrderOfUrgencyThenArrival() {
+    Walk walk;
+    walk.queue.add(warning(CueReason::CameraBack));
+    walk.queue.add(reassure());
+    walk.queue.add(seen(Kind::Door));
+    walk.queue.add(seen(Kind::Extinguisher));
+    walk.queue.add(turn(CueKind::Act, 90));
+    QCOMPARE(walk.queue.waiting().size(), std::size_t(3)); // the turn made the reassurance superfluous
+    walk.finishAll();
+    QCOMPARE(walk.output.said, (QStringList{QStringLiteral("The camera works again."), kLeft, kDoor, kExtinguisher}));
+    QCOMPARE(walk.statesOf(kLeft), (States{UtteranceState::Waiting, UtteranceState::Speaking, UtteranceState::Spoken}));
+}
+
+void TestSpeechQueue::urgentCueInterrupts() {
+    Walk walk;
+    walk.queue.add(seen(Kind::Extinguisher));
+    walk.queue.add(turn(CueKind::Act, 90));
+    QCOMPARE(walk.output.said, (QStringList{kExtinguisher, kLeft}));
+    QCOMPARE(walk.statesOf(kExtinguisher).last(), UtteranceState::Interrupted);
+    walk.finishAll();
+    QCOMPARE(walk.output.said.size(), 2);
+}
+
+void TestSpeechQueue::equalOrLowerCueWaits() {
+    Walk walk;
+    walk.queue.add(turn(CueKind::Act, 90, 1.0));
+    walk.queue.add(turn(CueKind::Act, -90, 2.0));
+    walk.queue.add(seen(Kind::Door));
+    QCOMPARE(walk.output.said, QStringList{kLeft});
+    walk.finishAll();
+    QCOMPARE(walk.output.said, (QStringList{kLeft, kRight, kDoor}));
+}
+
+void TestSpeechQueue::remarkDoesNotCostTheTurn() {
+    Walk walk;
+    walk.queue.add(turn(CueKind::Act, 90));
+    walk.queue.add(warning(CueReason::RecordingStopped));
+    walk.finishAll();
+    QCOMPARE(walk.output.said,
+             (QStringList{kLeft, QStringLiteral("The recording has stopped. I keep guiding you."), kLeft}));
+}
+
+void TestSpeechQueue::expiredIsNeverSpoken() {
+    Walk walk;
+    walk.queue.add(turn(CueKind::Act, 90));
+    Cue soon = seen(Kind::Door, 1.0);
+    soon.validUntil = 4.0;
+    walk.queue.add(soon);
+    walk.queue.setNow(4.5, std::nullopt, 0);
+    QCOMPARE(walk.statesOf(kDoor), (States{UtteranceState::Waiting, UtteranceState::Expired}));
+    Cue late = seen(Kind::Extinguisher, 2.0);
+    late.validUntil = 3.0;
+    walk.queue.add(late); // has come too late already
+    QCOMPARE(walk.statesOf(kExtinguisher), States{UtteranceState::Expired});
+    walk.finishAll();
+    QCOMPARE(walk.output.said, QStringList{kLeft});
+}
+
+void TestSpeechQueue::cueOfAnotherPlaceIsNeverSpoken() {
+    Walk walk;
+    walk.queue.setNow(1.0, RegionId{"R1"}, 1);
+    walk.queue.add(turn(CueKind::Act, 90));
+    Cue here = turn(CueKind::Prepare, -90, 5.0);
+    here.validIn = {RegionId{"R1"}, RegionId{"R2"}};
+    walk.queue.add(here);
+    walk.queue.setNow(2.0, RegionId{"R2"}, 1);
+    QCOMPARE(walk.queue.waiting().size(), std::size_t(1));
+    walk.queue.setNow(3.0, std::nullopt, 1); // not knowing the place voids nothing
+    QCOMPARE(walk.queue.waiting().size(), std::size_t(1));
+    walk.queue.setNow(4.0, RegionId{"R3"}, 1);
+    QVERIFY(walk.queue.waiting().empty());
+    walk.finishAll();
+    QCOMPARE(walk.output.said, QStringList{kLeft});
+}
+
+void TestSpeechQueue::cueOfAnOldRouteIsCutOff() {
+    Walk walk;
+    Cue old = turn(CueKind::Act, 90);
+    old.routeVersion = 3;
+    Cue waiting = turn(CueKind::Prepare, -90, 5.0);
+    waiting.routeVersion = 3;
+    walk.queue.setNow(1.0, std::nullopt, 3);
+    walk.queue.add(old);
+    walk.queue.add(waiting);
+    walk.queue.setNow(2.0, std::nullopt, 4);
+    QVERIFY(!walk.output.speaking());
+    QCOMPARE(walk.statesOf(kLeft).last(), UtteranceState::Interrupted);
+    QCOMPARE(walk.statesOf(kSoonRight).last(), UtteranceState::Expired);
+    walk.queue.repeatLast(); // the old route is not repeated either
+    QCOMPARE(walk.output.said.last(), QStringLiteral("There is nothing to repeat."));
+}
+
+void TestSpeechQueue::nothingToMoveWaitsBehindStop() {
+    for (const Cue& stop : {warning(CueReason::CameraLost), warning(CueReason::PictureCovered),
+                            cueOf(CueKind::Unsure, CuePriority::OffRoute), cueOf(CueKind::OffRoute, CuePriority::OffRoute)}) {
+        Walk walk;
+        walk.queue.add(turn(CueKind::Act, 90));
+        walk.queue.add(turn(CueKind::Act, -90, 4.0));
+        walk.queue.add(turn(CueKind::Prepare, -90, 8.0));
+        walk.queue.add(reassure());
+        walk.queue.add(stop);
+        QCOMPARE(walk.statesOf(kLeft).last(), UtteranceState::Interrupted);
+        walk.finishAll();
+        QCOMPARE(walk.output.said.size(), 2);
+        QVERIFY(walk.output.said.last().contains(QStringLiteral("Stop")));
+    }
+}
+
+void TestSpeechQueue::actMakesItsPreparationSuperfluous() {
+    Walk walk;
+    walk.queue.add(turn(CueKind::Act, 90));
+    walk.queue.add(turn(CueKind::Prepare, -90, 5.0));
+    walk.queue.add(turn(CueKind::Act, -90, 5.0));
+    walk.finishAll();
+    QCOMPARE(walk.output.said, (QStringList{kLeft, kRight}));
+    QCOMPARE(walk.statesOf(kSoonRight), (States{UtteranceState::Waiting, UtteranceState::Expired}));
+}
+
+void TestSpeechQueue::sameTextIsNotRepeatedWithin15Seconds() {
+    Walk walk;
+    walk.queue.setNow(1.0, std::nullopt, 0);
+    walk.queue.add(reassure(1.0));
+    walk.queue.add(reassure(2.0)); // while it is being said
+    walk.finishAll();
+    walk.queue.setNow(10.0, std::nullopt, 0);
+    walk.queue.add(reassure(10.0));
+    QCOMPARE(walk.output.said, QStringList{kKeep});
+    walk.queue.setNow(17.5, std::nullopt, 0);
+    walk.queue.add(reassure(17.5));
+    QCOMPARE(walk.output.said, (QStringList{kKeep, kKeep}));
+    walk.finishAll();
+    walk.queue.setNow(2.0, std::nullopt, 0); // a replay that jumped back
+    walk.queue.add(reassure(2.0));
+    QCOMPARE(walk.output.said.size(), 3);
+}
+
+void TestSpeechQueue::sameWordsAtTwoCornersAreBothTold() {
+    Walk walk;
+    walk.queue.add(turn(CueKind::Act, 90, 1.0, 1.0));
+    walk.finishAll();
+    walk.queue.add(turn(CueKind::Act, 90, 1.0, 4.0));
+    QCOMPARE(walk.output.said, QStringList{kLeft});
+    walk.queue.add(turn(CueKind::Act, 90, 6.0, 8.0));
+    QCOMPARE(walk.output.said, (QStringList{kLeft, kLeft}));
+}
+
+void TestSpeechQueue::interruptedTextMayComeAgain() {
+    Walk walk;
+    walk.queue.add(seen(Kind::Door));
+    walk.queue.add(turn(CueKind::Act, 90));
+    walk.queue.add(seen(Kind::Door, 2.0));
+    walk.finishAll();
+    QCOMPARE(walk.output.said, (QStringList{kDoor, kLeft, kDoor}));
+}
+
+void TestSpeechQueue::repeatSaysTheLastActionWithoutOldFigures() {
+    Walk walk;
+    Cue soon = turn(CueKind::Prepare, -90, 0.0, 1.0);
+    soon.distanceM = 6.0;
+    soon.validUntil = 5.0;
+    walk.queue.add(soon);
+    walk.finishAll();
+    QCOMPARE(walk.output.said.last(), QStringLiteral("In about 6 metres, turn right."));
+    walk.queue.setNow(9.0, RegionId{"R1"}, 0);
+    walk.queue.add(reassure(9.0));
+    walk.queue.repeatLast();
+    QCOMPARE(walk.output.said.last(), kSoonRight);
+    QCOMPARE(walk.statesOf(kKeep).last(), UtteranceState::Interrupted);
+    walk.queue.repeatLast(); // pressed again at once
+    walk.finishAll();
+    QCOMPARE(walk.output.said.last(), kSoonRight);
+}
+
+void TestSpeechQueue::repeatWithoutAnythingSaysSo() {
+    Walk walk;
+    walk.queue.repeatLast();
+    QCOMPARE(walk.output.said, QStringList{QStringLiteral("There is nothing to repeat.")});
+    walk.queue.add(turn(CueKind::Act, 90));
+    QCOMPARE(walk.output.said.last(), kLeft);
+}
+
+void TestSpeechQueue::repeatDoesNotTalkOverAWarning() {
+    Walk walk;
+    walk.queue.add(turn(CueKind::Act, 90));
+    walk.finishAll();
+    walk.queue.add(warning(CueReason::FrameSkipped));
+    walk.queue.repeatLast();
+    QCOMPARE(walk.output.said.size(), 2);
+    walk.finishAll();
+    QCOMPARE(walk.output.said.last(), kLeft);
+}
+
+void TestSpeechQueue::mutedTextIsShown() {
+    Walk walk;
+    walk.queue.add(turn(CueKind::Act, 90));
+    walk.queue.add(seen(Kind::Door));
+    walk.queue.setMuted(true);
+    QVERIFY(!walk.output.speaking());
+    QCOMPARE(walk.statesOf(kLeft).last(), UtteranceState::Interrupted);
+    QCOMPARE(walk.statesOf(kDoor).last(), UtteranceState::Shown);
+    walk.queue.add(turn(CueKind::Act, -90, 3.0));
+    QCOMPARE(walk.statesOf(kRight), States{UtteranceState::Shown});
+    QVERIFY(walk.queue.waiting().empty());
+    walk.queue.setMuted(false);
+    QCOMPARE(walk.output.said, QStringList{kLeft}); // nothing old is poured out
+    walk.queue.repeatLast();
+    QCOMPARE(walk.output.said.last(), kRight);
+}
+
+void TestSpeechQueue::failureIsShownAndToldOncePerCause() {
+    Walk walk;
+    QSignalSpy trouble(&walk.queue, &SpeechQueue::trouble);
+    walk.output.broken = QStringLiteral("no sound device");
+    walk.queue.add(turn(CueKind::Act, 90, 1.0));
+    walk.queue.add(turn(CueKind::Act, -90, 2.0));
+    QCOMPARE(walk.statesOf(kLeft).last(), UtteranceState::Shown);
+    QCOMPARE(walk.statesOf(kRight).last(), UtteranceState::Shown);
+    QCOMPARE(trouble.size(), 1);
+    QCOMPARE(trouble[0][0].toString(), QStringLiteral("no sound device"));
+    walk.output.broken = QStringLiteral("stuck");
+    walk.queue.add(seen(Kind::Door));
+    QCOMPARE(trouble.size(), 2);
+    walk.output.broken.clear();
+    walk.queue.add(seen(Kind::Extinguisher));
+    walk.finishAll();
+    QCOMPARE(walk.statesOf(kExtinguisher).last(), UtteranceState::Spoken);
+    walk.output.broken = QStringLiteral("stuck");
+    walk.queue.add(turn(CueKind::Act, 90, 9.0));
+    QCOMPARE(trouble.size(), 3); // it had worked in between
+}
+
+void TestSpeechQueue::clearForgetsTheWalk() {
+    Walk walk;
+    walk.queue.setNow(100.0, RegionId{"R9"}, 7);
+    Cue cue = turn(CueKind::Act, 90, 0.0, 100.0);
+    walk.queue.add(cue);
+    walk.queue.add(seen(Kind::Door, 100.0));
+    walk.queue.clear();
+    QVERIFY(!walk.output.speaking());
+    QVERIFY(walk.queue.waiting().empty());
+    QCOMPARE(walk.statesOf(kDoor).last(), UtteranceState::Expired);
+    Cue again = turn(CueKind::Act, 90, 0.0, 1.0); // the next walk starts clean: same words, old clock, version 1
+    again.routeVersion = 1;
+    again.validUntil = 5.0;
+    again.validIn = {RegionId{"R1"}};
+    walk.queue.add(again);
+    QCOMPARE(walk.output.said, (QStringList{kLeft, kLeft}));
+}
+
+void TestSpeechQueue::gapSeparatesUtterancesButNotUrgentOnes() {
+    Walk walk;
+    walk.queue.setGapMs(1000 * 1000);
+    walk.queue.add(seen(Kind::Door));
+    walk.queue.add(seen(Kind::Extinguisher));
+    walk.output.finish();
+    QVERIFY(!walk.output.speaking());
+    walk.queue.add(seen(Kind::Stairs));
+    QCOMPARE(walk.output.said, QStringList{kDoor});
+    walk.queue.add(turn(CueKind::Act, 90));
+    QCOMPARE(walk.output.said, (QStringList{kDoor, kLeft}));
+    walk.output.finish();
+    walk.queue.setGapMs(1);
+    walk.queue.add(warning(CueReason::CameraBack));
+    walk.output.finish();
+    QTRY_COMPARE(walk.output.said.last(), kExtinguisher);
+}
+
+void TestSpeechQueue::lateReportsOfTheVoiceAreHarmless() {
+    Walk walk;
+    Q_EMIT walk.output.finished();
+    Q_EMIT walk.output.failed(QStringLiteral("late"));
+    walk.queue.add(cueOf(CueKind::Unsure, CuePriority::OffRoute));
+    walk.queue.clear();
+    Q_EMIT walk.output.finished();
+    QCOMPARE(walk.statesOf(kUnsure).last(), UtteranceState::Interrupted);
+}
+
+void TestSpeechQueue::emptySentenceIsNothing() {
+    Walk walk;
+    walk.queue.add(cueOf(CueKind::Act, CuePriority::ActNow)); // an action without a manoeuvre has no words
+    QVERIFY(walk.output.said.isEmpty());
+    QVERIFY(walk.changes.isEmpty());
+}
+
+QTEST_GUILESS_MAIN(TestSpeechQueue)
+#include "test_speech_queue.moc"

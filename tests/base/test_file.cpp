@@ -13,7 +13,9 @@ namespace fs = std::filesystem;
 class ReplaceFile : public testing::Test {
 protected:
     void SetUp() override {
-        m_folder = fs::path(testing::TempDir()) / "farol_replace_file";
+        // One folder a test: CTest runs them side by side, each in a process of its own.
+        const std::string name = testing::UnitTest::GetInstance()->current_test_info()->name();
+        m_folder = fs::path(testing::TempDir()) / ("farol_replace_file_" + name);
         fs::remove_all(m_folder);
         fs::create_directories(m_folder);
         m_target = m_folder / "map.gpkg";

@@ -71,7 +71,7 @@ OBJECTS = [
     ("showcase-d", "furniture", "", "", "leg-d", 9.6, "left", 1.5, 1.2, 0.9),
     ("poster-d-1", "poster", "poster-blue", "", "leg-d", 19.0, "right", 1.6, 0.9, 1.2),
     ("poster-d-2", "poster", "poster-violet", "", "leg-d", 15.8, "right", 1.6, 0.9, 1.2),
-    ("poster-d-3", "poster", "posters-left", "", "leg-d", 13.4, "left", 1.6, 0.9, 1.2),
+    ("poster-d-3", "poster", "", "", "leg-d", 13.4, "left", 1.6, 0.9, 1.2),
 ]
 
 

@@ -321,8 +321,11 @@ void CueStep::tellReassurance(double aheadM) {
     add(std::move(cue));
 }
 
+/// Unsure is also who was seen where the route does not expect it, once only: looking around settles it.
 void CueStep::tellUnsure() {
-    if (m_usable) {
+    bool underWay = m_progress.route && m_progress.travel == Travel::OnRoute;
+    bool asExpected = !underWay || m_fix.region == m_progress.route->regions[m_progress.regionsPassed];
+    if (m_usable && asExpected) {
         m_memory.unusableSince.reset();
         m_memory.unsureToldAt.reset();
         return;

@@ -132,7 +132,9 @@ void RouteTracker::settle() {
 void RouteTracker::follow(const Fix& fix) {
     std::optional<std::size_t> index = onRoute(*fix.region);
     bool jumps = index && (*index > m_progress.regionsPassed + 1 || *index + 1 < m_progress.regionsPassed);
-    if ((!index || jumps) && !believed(fix)) {
+    // "Arrived" has to be true: one doubtful sight behind the last door is not enough.
+    bool arrives = index && *index + 1 == m_progress.route->regions.size() && *index != m_progress.regionsPassed;
+    if ((!index || jumps || arrives) && !believed(fix)) {
         if (m_progress.travel != Travel::Arrived) m_progress.travel = Travel::OnRoute;
     } else if (!index) {
         plan(fix);

@@ -26,8 +26,8 @@ struct Progress {
 std::string travelName(Travel travel);
 
 struct TrackerOptions {
-    /// A fix off the route, or one that jumps over regions of it, is believed once it came this often in a row (each
-    /// time from a new observation), or at this confidence at once.
+    /// A fix off the route, one that jumps over regions of it, or one in the destination is believed once it came this
+    /// often in a row (each time from a new observation), or at this confidence at once.
     int offRouteFixes = 2;
     double offRouteConfidence = 0.6;
     double minConfidence = 0.0; ///< fixes below change nothing

@@ -229,6 +229,7 @@ void VoteCounter::countObjects(const Tally& tally, Ballot& ballot) const {
         if (tally.matches[landmark] != 0) ballot.evidence.push_back(landmark);
     }
     Mask here = explained(tally, ballot.evidence, tally.mapped);
+    ballot.unmistakable = (here & tally.unmistakable) != 0;
     ballot.np = std::popcount(here);
     ballot.nv = neighbourObjects(tally, ballot.region, tally.mapped & ~here);
     ballot.nobj = tally.nobj;

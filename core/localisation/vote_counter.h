@@ -31,6 +31,7 @@ struct Ballot {
     int np = 0, nv = 0, nobj = 0;
     double rp = 0, rv = 0, vreg = 0;
     std::optional<std::size_t> bestObject; ///< landmark of Pmaxobj
+    bool unmistakable = false;             ///< an object known by template or text, here only, is in the history
     bool bestUnique = false;               ///< no other identical landmark of the region weighs as much
     std::vector<std::size_t> evidence;     ///< landmarks identical to history objects
 };

@@ -185,7 +185,8 @@ void VotingLocaliser::accept(const Ballot& winner, double confidence) {
     m_situation.lost = false;
     m_fix.region = idOf(winner.region);
     m_fix.level = m_building->regions()[winner.region].level;
-    m_fix.confidence = confidence;
+    // Doors look alike: any number of them names no region for sure.
+    m_fix.confidence = winner.unmistakable ? confidence : std::min(confidence, m_options.genericConfidence);
     placeAt(winner);
 }
 
@@ -297,6 +298,7 @@ Result<void> VotingOptions::check() const {
     if (genericsToOverrule < 1) return outOfRange("must be 1 or more", "genericsToOverrule");
     if (!isShare(doubtfulMargin)) return outOfRange("must be from 0 to 1", "doubtfulMargin");
     if (!isShare(startConfidence)) return outOfRange("must be from 0 to 1", "startConfidence");
+    if (!isShare(genericConfidence)) return outOfRange("must be from 0 to 1", "genericConfidence");
     if (!isWeight(pf) || !isWeight(ppos) || !isWeight(pperc) || !isWeight(pid)) {
         return outOfRange("a weight is 0 or more", "pf, ppos, pperc, pid");
     }

@@ -39,7 +39,8 @@ struct VotingOptions {
     double pf = 3.0;                   ///< object on the user's level (paper: 3)
     double ppos = 2.0, pperc = 1.5, pid = 2.0;
 
-    double startConfidence = 0.5;      ///< ours: of a start that was told, before the first object
+    double startConfidence = 0.6;      ///< ours: of a start that was told, before the first object
+    double genericConfidence = 0.45;   ///< ours: the most that objects known by kind only can give
     double halfLifeSeconds = 30.0;     ///< ours: confidence halves in this time without a new object (24 m of walking)
     double placeSigmaM = 1.5, objectSigmaM = 2.0; ///< ours: how far the user is from what was seen
     double headingDistanceM = 1.0;     ///< ours: closer positions give no direction
@@ -52,8 +53,9 @@ struct VotingOptions {
 };
 
 /// Confidence is the lead over the runner-up as a share of the winning vote, times 0.2 + 0.2 for each history object
-/// found in the winner (at most 1), halved every `halfLifeSeconds`; a region that is only kept
-/// because it ties with others has at least half of what it had before. It is not calibrated: it orders fixes, no more.
+/// found in the winner (at most 1), halved every `halfLifeSeconds`. Without an unmistakable object in the winner it stays
+/// below `genericConfidence`. A region that is only kept because it ties with others has at least half of what it had
+/// before. It is not calibrated: it orders fixes, no more.
 std::unique_ptr<Localiser> makeVotingLocaliser(std::shared_ptr<const building::Building> building,
                                                VotingOptions options = VotingOptions::repaired());
 

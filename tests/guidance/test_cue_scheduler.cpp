@@ -265,6 +265,20 @@ TEST(CueScheduler, AFixWithoutAnyConfidenceIsNoFix) {
     EXPECT_TRUE(asked);
 }
 
+TEST(CueScheduler, ADoubtfulSightOfTheDestinationIsSettledByLookingAround) {
+    Guided walk;
+    walk.tracker.setDestination(at("D"));
+    walk.seen("A");
+    walk.seen("K");
+    walk.seen("D", 0, 0.3);
+    EXPECT_EQ(walk.count(CueKind::Arrived), 0U);
+    bool asked = false;
+    for (const Cue& cue : walk.wait(10)) asked = asked || cue.kind == CueKind::Unsure;
+    EXPECT_TRUE(asked);
+    walk.seen("D", 0, 0.3);
+    EXPECT_EQ(walk.count(CueKind::Arrived), 1U);
+}
+
 TEST(CueScheduler, WithoutADestinationItAsksOnlyOnce) {
     Guided walk;
     walk.later(0.0);

@@ -100,6 +100,18 @@ TEST(RouteTracker, AJumpToTheDestinationIsNotBelievedFromOneDoubtfulSight) {
     EXPECT_EQ(walk.progress.travel, Travel::Arrived);
 }
 
+TEST(RouteTracker, NorIsTheStepThroughTheLastDoor) {
+    Guided walk;
+    walk.tracker.setDestination(at("D"));
+    walk.seen("A");
+    walk.seen("K");
+    walk.seen("D", 0, 0.2);
+    EXPECT_EQ(walk.progress.travel, Travel::OnRoute);
+    EXPECT_EQ(walk.progress.regionsPassed, 1U);
+    walk.seen("D", 0, 0.2);
+    EXPECT_EQ(walk.progress.travel, Travel::Arrived);
+}
+
 TEST(RouteTracker, OneDoubtfulFixBesideTheRouteChangesNothing) {
     Guided walk;
     walk.tracker.setDestination(at("D"));
@@ -230,7 +242,7 @@ TEST(RouteTracker, AWrongArrivalIsTakenBack) {
     walk.tracker.setDestination(at("D"));
     walk.seen("A");
     walk.seen("K");
-    walk.seen("D", 0, 0.2);
+    walk.seen("D", 0, 0.9);
     EXPECT_EQ(walk.progress.travel, Travel::Arrived);
     walk.seen("K");
     EXPECT_EQ(walk.progress.travel, Travel::OnRoute);

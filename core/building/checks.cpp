@@ -151,6 +151,24 @@ void checkLandmarks(const Building& building, Findings& findings) {
     }
 }
 
+template <class Items, class KindType>
+void checkKinds(const Items& items, KindType other, const std::string& layer, const std::string& words,
+                Findings& findings) {
+    std::map<std::string, std::vector<std::string>> unknown;
+    for (const auto& item : items)
+        if (item.kind == other && !item.kindText.empty()) unknown[item.kindText].push_back(item.id.value);
+    for (const auto& [kind, ids] : unknown)
+        findings.push_back({Severity::Warning, "kind-known",
+                            counted(ids.size(), "feature has", "features have") + " the unknown kind " + quoted(kind) +
+                                "; known are " + words, layer, ids});
+}
+
+std::string landmarkKindWords() {
+    std::string words;
+    for (Kind kind : allKinds()) words += (words.empty() ? "" : ", ") + std::string(kindName(kind));
+    return words;
+}
+
 void checkConnected(const Building& building, Findings& findings) {
     auto parts = components(building);
     if (parts.size() < 2) return;
@@ -179,6 +197,11 @@ std::vector<Finding> checkBuilding(const Building& building) {
     checkLevels(building, findings);
     for (const Access& access : building.accesses()) checkAccess(building, access, findings);
     checkLandmarks(building, findings);
+    checkKinds(building.regions(), RegionKind::Other, "regions",
+               "room, corridor, hall, stairwell, elevator, toilet, outside, other", findings);
+    checkKinds(building.accesses(), AccessKind::Other, "accesses",
+               "door, opening, stairs, elevator, escalator, ramp, window, other (nobody is led through other)", findings);
+    checkKinds(building.landmarks(), Kind::Other, "landmarks", landmarkKindWords(), findings);
     checkConnected(building, findings);
     std::stable_sort(findings.begin(), findings.end(),
                      [](const Finding& a, const Finding& b) { return a.severity < b.severity; });

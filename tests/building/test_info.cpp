@@ -141,6 +141,13 @@ TEST(Checks, aDoorDoesNotChangeTheLevel) {
     EXPECT_THAT(rulesOf(map.data(), Severity::Error), Contains("access-level-change"));
 }
 
+TEST(Checks, unknownKindsAreNamed) {
+    BuildingData data = twoRoomsAndABar().data();
+    data.accesses[0].kind = AccessKind::Other;
+    data.accesses[0].kindText = "portcullis";
+    EXPECT_THAT(rulesOf(data, Severity::Warning), Contains("kind-known"));
+}
+
 TEST(Checks, brokenOutlinesAreToldApart) {
     auto faultOf = [](Ring ring) {
         BuildingData data;

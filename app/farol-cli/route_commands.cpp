@@ -34,7 +34,8 @@ struct RouteArguments {
 Json foundJson(const Route& route) {
     Json json;
     json["found"] = true;
-    for (auto& [key, value] : session::routeJson(route).items()) json[key] = value;
+    Json fields = session::routeJson(route);
+    for (auto& [key, value] : fields.items()) json[key] = std::move(value);
     return json;
 }
 

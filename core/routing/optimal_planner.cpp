@@ -12,11 +12,16 @@ namespace {
 
 constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
-/// Dijkstra over passed accesses: a node is an access together with the side on which one has come out.
+/// Dijkstra over crossings of accesses: a node is a crossing together with the side on which one has come out.
 class Search {
 public:
     Search(const RouteGraph& graph, const Endpoint& from, const Endpoint& to)
-        : m_graph(graph), m_from(from), m_to(to), m_nodes(2 * graph.building().accesses().size()) {}
+        : m_graph(graph), m_from(from), m_to(to) {
+        for (std::size_t access = 0; access < graph.building().accesses().size(); ++access) {
+            m_first.push_back(m_nodes.size());
+            m_nodes.resize(m_nodes.size() + 2 * graph.crossings(access).size());
+        }
+    }
 
     /// The steps to the goal, or nothing when it cannot be reached.
     std::optional<std::vector<Step>> run();
@@ -31,7 +36,7 @@ private:
     std::size_t nodeOf(const Step& step) const {
         const building::Access& access = m_graph.building().accesses()[step.access];
         bool forward = m_graph.building().regions()[step.into].id == access.regionB;
-        return 2 * step.access + (forward ? 1 : 0);
+        return m_first[step.access] + 2 * step.crossing + (forward ? 1 : 0);
     }
     void reach(const Step& step, double cost, std::size_t previous);
     void leaveStart();
@@ -42,6 +47,7 @@ private:
     const Endpoint& m_from;
     const Endpoint& m_to;
     std::vector<Node> m_nodes;
+    std::vector<std::size_t> m_first; ///< node of each access
     using Entry = std::pair<double, std::size_t>; // the node's number breaks ties: the same way every time
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> m_open;
     std::optional<WalkingSpace::Tree> m_goalTree;
@@ -60,18 +66,22 @@ void Search::reach(const Step& step, double cost, std::size_t previous) {
 void Search::leaveStart() {
     const WalkingSpace& space = m_graph.space(m_from.region);
     auto tree = space.from(m_from.position);
-    for (const Step& step : m_graph.stepsFrom(m_from.region, m_from.region, m_to.region)) {
-        double metres = space.lengthTo(tree, m_graph.building().accesses()[step.access].midpoint());
-        reach(step, m_graph.walkingSeconds(metres) + m_graph.seconds(step, nullptr), kNone);
+    for (Step step : m_graph.stepsFrom(m_from.region, m_from.region, m_to.region)) {
+        const std::vector<Point2>& crossings = m_graph.crossings(step.access);
+        for (step.crossing = 0; step.crossing < crossings.size(); ++step.crossing) {
+            double metres = space.lengthTo(tree, crossings[step.crossing]);
+            reach(step, m_graph.walkingSeconds(metres) + m_graph.seconds(step, nullptr), kNone);
+        }
     }
 }
 
 void Search::expand(std::size_t index) {
     const Node node = m_nodes[index];
-    for (const Step& step : m_graph.stepsFrom(node.step.into, m_from.region, m_to.region)) {
+    for (Step step : m_graph.stepsFrom(node.step.into, m_from.region, m_to.region)) {
         if (step.access == node.step.access) continue;
-        double metres = m_graph.between(node.step.into, node.step.access, step.access);
-        reach(step, node.cost + m_graph.walkingSeconds(metres) + m_graph.seconds(step, &node.step), index);
+        double paid = node.cost + m_graph.seconds(step, &node.step);
+        for (step.crossing = 0; step.crossing < m_graph.crossings(step.access).size(); ++step.crossing)
+            reach(step, paid + m_graph.walkingSeconds(m_graph.between(node.step.into, node.step, step)), index);
     }
 }
 
@@ -79,7 +89,7 @@ void Search::tryGoal(std::size_t index) {
     if (m_nodes[index].step.into != m_to.region) return;
     const WalkingSpace& space = m_graph.space(m_to.region);
     if (!m_goalTree) m_goalTree = space.from(m_to.position);
-    double metres = space.lengthTo(*m_goalTree, m_graph.building().accesses()[m_nodes[index].step.access].midpoint());
+    double metres = space.lengthTo(*m_goalTree, m_graph.crossings(m_nodes[index].step.access)[m_nodes[index].step.crossing]);
     double cost = m_nodes[index].cost + m_graph.walkingSeconds(metres);
     if (cost >= m_best) return;
     m_best = cost;

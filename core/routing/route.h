@@ -78,8 +78,9 @@ public:
 };
 
 /// Least seconds from door to door (RouteOptions), walking the shortest way within each region's polygon. Doors and
-/// narrow openings are crossed in their middle, openings drawn 1.2 m wide or more where the way is shortest, 0.4 m or
-/// more from their ends.
+/// narrow openings are crossed in their middle, openings 1.2 m wide or more (drawn as a line, or a point with
+/// width_m on a border) where the way is shortest, 0.4 m or more from their ends
+/// (chosen among points 1 m apart, then pulled straight).
 std::unique_ptr<Planner> makeOptimalPlanner(std::shared_ptr<const Building> building, RouteOptions options = {});
 /// The paper's 4.1 as printed: next access by direction and distance to the destination, dead ends struck out and
 /// restarted, levels joined by common stairs or lifts. Not the shortest way; for comparison.

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
-#include <map>
 #include <utility>
 
 namespace farol::routing {
@@ -19,6 +18,8 @@ constexpr double kStairsRun = 2.0;      // metres walked for each metre of heigh
 constexpr double kRampRun = 12.0;       // accessible ramps rise by 1 in 12
 constexpr double kWideOpeningM = 1.2;   // from here on one does not aim for the middle
 constexpr double kOpeningMarginM = 0.4; // half a person, kept from the ends of a wide opening
+constexpr double kCrossingsApartM = 1.0; // at most, along a wide opening
+constexpr int kMostCrossings = 9;
 constexpr int kSlides = 12;
 
 bool sameLevel(double a, double b) { return std::abs(a - b) < 1e-6; }
@@ -39,18 +40,82 @@ Point2 bestCrossing(Point2 a, Point2 b, Point2 from, Point2 to) {
     return a + along * std::clamp(atFrom + (atTo - atFrom) * share, 0.0, 1.0);
 }
 
+/// From one jamb to the other. An opening drawn as a point with a width lies along the border it stands on, as far as
+/// that border goes.
+Polyline widthLine(const Access& access, const Polygon& polygon) {
+    if (access.line.size() != 1 || !access.widthM || *access.widthM < kWideOpeningM) return access.line;
+    Polyline best = access.line;
+    double nearest = 0.3;
+    auto visit = [&](Point2 a, Point2 b) {
+        Point2 middle = access.line[0];
+        double gap = distanceToSegment(middle, a, b);
+        double whole = distance(a, b);
+        if (gap >= nearest || whole < kWideOpeningM) return;
+        nearest = gap;
+        Point2 half = (b - a) * (*access.widthM / 2.0 / whole);
+        Point2 shift = middle - nearestOnSegment(middle, a, b);
+        best = {nearestOnSegment(middle - half, a, b) + shift, nearestOnSegment(middle + half, a, b) + shift};
+    };
+    auto around = [&](const Ring& ring) {
+        for (std::size_t i = 0; i < ring.size(); ++i) visit(ring[i], ring[(i + 1) % ring.size()]);
+    };
+    around(polygon.outer);
+    for (const Ring& hole : polygon.holes) around(hole);
+    return best;
+}
+
+/// Of a wide opening, what is left between the margins; empty for all others.
+Polyline walkableWidth(const Access& access, const Polygon& polygon) {
+    if (access.kind != AccessKind::Opening) return {};
+    Polyline line = widthLine(access, polygon);
+    double width = length(line);
+    if (line.size() != 2 || width < kWideOpeningM) return {};
+    Point2 inset = (line[1] - line[0]) * (kOpeningMarginM / width);
+    return {line[0] + inset, line[1] - inset};
+}
+
 } // namespace
+
+const RouteGraph::Obstacles& RouteGraph::allObstacles() {
+    static const Obstacles all{Obstacle::Stairs,     Obstacle::Elevator, Obstacle::Escalator,
+                               Obstacle::Restricted, Obstacle::Closed,   Obstacle::OneWay};
+    return all;
+}
+
+const char* RouteGraph::obstacleWords(Obstacle obstacle) {
+    switch (obstacle) {
+    case Obstacle::Stairs: return "stairs";
+    case Obstacle::Elevator: return "lift";
+    case Obstacle::Escalator: return "escalator";
+    case Obstacle::Restricted: return "a restricted region";
+    case Obstacle::Closed: return "a closed access";
+    case Obstacle::OneWay: return "a one-way access";
+    }
+    return "";
+}
 
 struct RouteGraph::Room {
     std::once_flag spaceOnce;
     std::unique_ptr<WalkingSpace> space;
     std::once_flag lengthsOnce;
-    std::vector<double> lengths; ///< between its accesses, row by row
+    std::vector<std::size_t> starts; ///< of each of its accesses among its crossings
+    std::vector<double> lengths;     ///< between its crossings, row by row
 };
 
 RouteGraph::RouteGraph(std::shared_ptr<const Building> building, RouteOptions options)
     : m_building(std::move(building)), m_options(options),
-      m_rooms(std::make_unique<Room[]>(m_building->regions().size())) {}
+      m_rooms(std::make_unique<Room[]>(m_building->regions().size())) {
+    for (const Access& access : m_building->accesses()) {
+        const Region* region = m_building->region(access.regionA);
+        m_widths.push_back(region == nullptr ? Polyline() : walkableWidth(access, region->polygon));
+        m_crossings.push_back({access.midpoint()});
+        if (m_widths.back().empty()) continue;
+        Point2 a = m_widths.back()[0];
+        Point2 along = m_widths.back()[1] - a;
+        int parts = std::clamp(static_cast<int>(std::ceil(length(along) / kCrossingsApartM)), 1, kMostCrossings - 1);
+        for (int i = 0; i <= parts; ++i) m_crossings.back().push_back(a + along * (static_cast<double>(i) / parts));
+    }
+}
 
 RouteGraph::~RouteGraph() = default;
 
@@ -145,28 +210,36 @@ const WalkingSpace& RouteGraph::space(std::size_t region) const {
     return *room.space;
 }
 
-double RouteGraph::between(std::size_t region, std::size_t accessA, std::size_t accessB) const {
+std::vector<double> RouteGraph::lengthsWithin(std::size_t region) const {
+    std::vector<Point2> points;
+    for (std::size_t access : m_building->accessesOf(region))
+        points.insert(points.end(), m_crossings[access].begin(), m_crossings[access].end());
+    std::vector<double> lengths;
+    lengths.reserve(points.size() * points.size());
+    for (Point2 a : points) {
+        auto tree = space(region).from(a);
+        for (Point2 b : points) lengths.push_back(a == b ? 0.0 : space(region).lengthTo(tree, b));
+    }
+    return lengths;
+}
+
+double RouteGraph::between(std::size_t region, const Step& a, const Step& b) const {
     auto accesses = m_building->accessesOf(region);
     Room& room = m_rooms[region];
     std::call_once(room.lengthsOnce, [&] {
-        const WalkingSpace& walking = space(region);
-        std::vector<double> lengths;
-        lengths.reserve(accesses.size() * accesses.size());
-        for (std::size_t a : accesses) {
-            auto tree = walking.from(m_building->accesses()[a].midpoint());
-            for (std::size_t b : accesses)
-                lengths.push_back(a == b ? 0.0 : walking.lengthTo(tree, m_building->accesses()[b].midpoint()));
-        }
-        room.lengths = std::move(lengths);
+        room.starts.push_back(0);
+        for (std::size_t access : accesses) room.starts.push_back(room.starts.back() + m_crossings[access].size());
+        room.lengths = lengthsWithin(region);
     });
-    auto position = [&](std::size_t access) { // accessesOf is in the order of the map
-        return static_cast<std::size_t>(std::lower_bound(accesses.begin(), accesses.end(), access) - accesses.begin());
+    auto position = [&](const Step& step) { // accessesOf is in the order of the map
+        auto at = std::lower_bound(accesses.begin(), accesses.end(), step.access) - accesses.begin();
+        return room.starts[static_cast<std::size_t>(at)] + step.crossing;
     };
-    return room.lengths[position(accessA) * accesses.size() + position(accessB)];
+    return room.lengths[position(a) * room.starts.back() + position(b)];
 }
 
-/// The way with the fewest obstacles, whatever they are (a breadth-first search with weights 0 and more).
-std::vector<Step> RouteGraph::fewestObstacles(std::size_t from, std::size_t to) const {
+/// The way with the fewest obstacles, all of them of the kinds allowed; no steps when there is none.
+std::vector<Step> RouteGraph::fewestObstacles(const Obstacles& allowed, std::size_t from, std::size_t to) const {
     std::vector<std::size_t> cost(m_building->regions().size(), static_cast<std::size_t>(-1));
     std::vector<std::optional<Step>> by(m_building->regions().size());
     std::deque<std::pair<std::size_t, std::size_t>> open{{0, from}};
@@ -181,7 +254,9 @@ std::vector<Step> RouteGraph::fewestObstacles(std::size_t from, std::size_t to) 
             if (!other) continue;
             Step step{index, region, *other};
             auto found = obstacles(step, from, to);
-            if (!found || paid + found->size() >= cost[*other]) continue;
+            if (!found || paid + found->size() >= cost[*other] ||
+                !std::includes(allowed.begin(), allowed.end(), found->begin(), found->end()))
+                continue;
             cost[*other] = paid + found->size();
             by[*other] = step;
             open.emplace_back(cost[*other], *other);
@@ -193,68 +268,77 @@ std::vector<Step> RouteGraph::fewestObstacles(std::size_t from, std::size_t to) 
     return steps;
 }
 
-std::string RouteGraph::reason(const std::vector<Step>& steps, std::size_t from, std::size_t to) const {
-    std::map<Obstacle, std::string> where; // the first of each kind
-    for (const Step& step : steps) {
-        std::string sides = spokenName(m_building->regions()[step.from]) + " to " +
-                            spokenName(m_building->regions()[step.into]);
-        for (Obstacle each : obstacles(step, from, to).value_or(Obstacles())) where.emplace(each, sides);
-    }
-    auto phrase = [](Obstacle obstacle, const std::string& sides) -> std::string {
-        switch (obstacle) {
-        case Obstacle::Stairs: return "by stairs only, which are to be avoided";
-        case Obstacle::Elevator: return "by lift only, which is to be avoided";
-        case Obstacle::Escalator: return "by escalator only, which is to be avoided";
-        case Obstacle::Restricted: return "through a restricted region only, which is to be avoided (" + sides + ")";
-        case Obstacle::Closed: return "through a closed access only (" + sides + ")";
-        case Obstacle::OneWay: return "against a one-way access only (" + sides + ")";
-        }
-        return {};
-    };
-    std::string text;
-    for (const auto& [obstacle, sides] : where) text += (text.empty() ? "" : ", and ") + phrase(obstacle, sides);
-    return text;
+bool RouteGraph::reachable(std::size_t from, std::size_t to) const {
+    return from == to || !fewestObstacles({}, from, to).empty();
 }
 
-bool RouteGraph::reachable(std::size_t from, std::size_t to) const {
-    std::vector<Step> steps = fewestObstacles(from, to);
-    return from == to || (!steps.empty() && reason(steps, from, to).empty());
+/// Between which regions the obstacle stands first on the way with the fewest of those allowed, in brackets; or nothing.
+std::string RouteGraph::where(Obstacle obstacle, const Obstacles& allowed, std::size_t from, std::size_t to) const {
+    for (const Step& step : fewestObstacles(allowed, from, to)) {
+        auto found = obstacles(step, from, to);
+        if (found && found->count(obstacle) != 0)
+            return " (" + spokenName(m_building->regions()[step.from]) + " to " +
+                   spokenName(m_building->regions()[step.into]) + ")";
+    }
+    return {};
+}
+
+std::string RouteGraph::severalObstacles(std::size_t from, std::size_t to) const {
+    std::string text;
+    for (Obstacle obstacle : allObstacles()) {
+        std::string sides = where(obstacle, allObstacles(), from, to);
+        if (!sides.empty()) text += (text.empty() ? "" : " and ") + std::string(obstacleWords(obstacle)) + sides;
+    }
+    return "past " + text + " only";
 }
 
 Error RouteGraph::unreachable(std::size_t from, std::size_t to) const {
     std::string start = spokenName(m_building->regions()[from]);
     std::string goal = spokenName(m_building->regions()[to]);
     std::string context = start + " to " + goal;
-    std::vector<Step> steps = fewestObstacles(from, to);
-    if (steps.empty())
+    if (fewestObstacles(allObstacles(), from, to).empty())
         return {ErrorCode::NotFound, "there is no way at all: the map joins " + goal + " and " + start + " by no access",
                 context};
-    return {ErrorCode::NotFound, goal + " can be reached " + reason(steps, from, to), context};
+    // What would do by itself is told, all of it; else what stands on the way with the fewest obstacles.
+    std::string alternatives;
+    bool several = false;
+    for (Obstacle obstacle : {Obstacle::Stairs, Obstacle::Elevator, Obstacle::Escalator, Obstacle::Restricted}) {
+        if (fewestObstacles({obstacle}, from, to).empty()) continue;
+        several = !alternatives.empty() || obstacle == Obstacle::Stairs;
+        alternatives += (alternatives.empty() ? "" : " or ") + std::string(obstacleWords(obstacle));
+    }
+    std::string how;
+    if (!alternatives.empty())
+        how = "by " + alternatives + " only, which " + (several ? "are" : "is") + " to be avoided";
+    else if (!fewestObstacles({Obstacle::Closed}, from, to).empty())
+        how = "through a closed access only" + where(Obstacle::Closed, {Obstacle::Closed}, from, to);
+    else if (!fewestObstacles({Obstacle::OneWay}, from, to).empty())
+        how = "against a one-way access only" + where(Obstacle::OneWay, {Obstacle::OneWay}, from, to);
+    else how = severalObstacles(from, to);
+    return {ErrorCode::NotFound, goal + " can be reached " + how, context};
 }
 
-/// Moves crossing `i` of a wide opening to where the way over it is shortest.
+/// Moves crossing `i` of a wide opening to where the way over it is shorter.
 void RouteGraph::slide(std::vector<Point2>& points, const std::vector<Step>& steps, std::size_t i) const {
-    const Access& access = m_building->accesses()[steps[i - 1].access];
-    if (access.kind != AccessKind::Opening || access.line.size() != 2) return;
-    double width = length(access.line);
-    if (width < kWideOpeningM) return;
-    Point2 inset = (access.line[1] - access.line[0]) * (kOpeningMarginM / width);
-    Point2 a = access.line[0] + inset;
-    Point2 b = access.line[1] - inset;
+    const Polyline& width = m_widths[steps[i - 1].access];
+    if (width.empty()) return;
     const WalkingSpace& before = space(steps[i - 1].from);
     const WalkingSpace& after = space(steps[i - 1].into);
-    Polyline in = before.pathTo(before.from(points[i - 1]), points[i]);
-    Polyline out = after.pathTo(after.from(points[i]), points[i + 1]);
+    auto fromBefore = before.from(points[i - 1]);
+    auto fromAfter = after.from(points[i + 1]);
+    Polyline in = before.pathTo(fromBefore, points[i]);
+    Polyline out = after.pathTo(fromAfter, points[i]);
     if (in.size() < 2 || out.size() < 2) return;
-    points[i] = bestCrossing(a, b, in[in.size() - 2], out[1]);
+    Point2 better = bestCrossing(width[0], width[1], in[in.size() - 2], out[out.size() - 2]);
+    double now = length(in) + length(out);
+    if (before.lengthTo(fromBefore, better) + after.lengthTo(fromAfter, better) < now) points[i] = better;
 }
 
-/// Start, where each access is crossed, goal. Doors and narrow openings in their middle; over wide openings the way
-/// is pulled straight.
-std::vector<Point2> RouteGraph::crossings(const Endpoint& from, const Endpoint& to,
-                                          const std::vector<Step>& steps) const {
+/// Start, where each access is crossed, goal. Over wide openings the way is pulled straight.
+std::vector<Point2> RouteGraph::pulledStraight(const Endpoint& from, const Endpoint& to,
+                                               const std::vector<Step>& steps) const {
     std::vector<Point2> points{from.position};
-    for (const Step& step : steps) points.push_back(m_building->accesses()[step.access].midpoint());
+    for (const Step& step : steps) points.push_back(m_crossings[step.access][step.crossing]);
     points.push_back(to.position);
     for (int round = 0; round < kSlides; ++round) {
         std::vector<Point2> before = points;
@@ -281,7 +365,7 @@ Route RouteGraph::routeAlong(const std::string& planner, const Endpoint& from, c
     Route route;
     route.planner = planner;
     route.regions.push_back(m_building->regions()[from.region].id);
-    std::vector<Point2> points = crossings(from, to, steps);
+    std::vector<Point2> points = pulledStraight(from, to, steps);
     std::vector<std::size_t> portals;
     double vertical = 0.0;
     for (std::size_t i = 0; i < steps.size(); ++i) {

@@ -13,11 +13,12 @@
 
 namespace farol::routing {
 
-/// One access passed, by indices of the building.
+/// One access passed, by indices of the building. `crossing`: which of RouteGraph::crossings(access).
 struct Step {
     std::size_t access;
     std::size_t from;
     std::size_t into;
+    std::size_t crossing = 0;
 };
 
 struct Endpoint {
@@ -35,13 +36,16 @@ public:
 
     /// NotFound for a region that is not in the map; a position outside its region is taken at the region's border.
     Result<Endpoint> endpoint(const Location& location, const std::string& role) const;
-    /// The steps out of a region that may be taken on the way from `start` to `goal`, in the order of the map.
+    /// Where an access may be crossed: its middle, and for a wide opening further points beside it.
+    const std::vector<Point2>& crossings(std::size_t access) const { return m_crossings[access]; }
+    /// The steps out of a region that may be taken on the way from `start` to `goal`, in the order of the map; each over
+    /// the middle.
     std::vector<Step> stepsFrom(std::size_t region, std::size_t start, std::size_t goal) const;
     /// Seconds to pass the access after `previous` (a lift is waited for once a ride).
     double seconds(const Step& step, const Step* previous) const;
     double walkingSeconds(double metres) const { return metres / m_options.walkingSpeed; }
-    /// Metres between the middles of two accesses of a region, and from the middle of one to a point.
-    double between(std::size_t region, std::size_t accessA, std::size_t accessB) const;
+    /// Metres within the region from the crossing of `a` to the crossing of `b`.
+    double between(std::size_t region, const Step& a, const Step& b) const;
     const WalkingSpace& space(std::size_t region) const;
     bool reachable(std::size_t from, std::size_t to) const;
     /// Why `to` cannot be reached: by what is closed or to be avoided only, or not at all.
@@ -54,17 +58,24 @@ private:
     enum class Obstacle { Stairs, Elevator, Escalator, Restricted, Closed, OneWay };
     using Obstacles = std::set<Obstacle>;
 
+    static const Obstacles& allObstacles();
+    static const char* obstacleWords(Obstacle obstacle);
+
     std::optional<Obstacles> obstacles(const Step& step, std::size_t start, std::size_t goal) const;
-    std::vector<Step> fewestObstacles(std::size_t from, std::size_t to) const;
-    std::string reason(const std::vector<Step>& steps, std::size_t from, std::size_t to) const;
+    std::vector<Step> fewestObstacles(const Obstacles& allowed, std::size_t from, std::size_t to) const;
+    std::string severalObstacles(std::size_t from, std::size_t to) const;
+    std::string where(Obstacle obstacle, const Obstacles& allowed, std::size_t from, std::size_t to) const;
     double heightM(const Step& step) const;
     double verticalM(const Step& step) const;
-    std::vector<Point2> crossings(const Endpoint& from, const Endpoint& to, const std::vector<Step>& steps) const;
+    std::vector<double> lengthsWithin(std::size_t region) const;
+    std::vector<Point2> pulledStraight(const Endpoint& from, const Endpoint& to, const std::vector<Step>& steps) const;
     void slide(std::vector<Point2>& points, const std::vector<Step>& steps, std::size_t i) const;
     void appendLeg(Route& route, std::size_t region, Point2 from, Point2 to) const;
 
     std::shared_ptr<const Building> m_building;
     RouteOptions m_options;
+    std::vector<Polyline> m_widths; ///< of wide openings, within which one walks; empty for others
+    std::vector<std::vector<Point2>> m_crossings;
     std::unique_ptr<Room[]> m_rooms; ///< filled when first needed, safe from several threads
 };
 

@@ -12,6 +12,17 @@ using farol::test::Guided;
 
 namespace {
 
+/// The spot that lies `walked` metres along the flat path, and the level there.
+routing::PathPoint pointAlong(const routing::Route& route, double walked) {
+    for (std::size_t i = 1; i < route.path.size(); ++i) {
+        Point2 a = route.path[i - 1].position, b = route.path[i].position;
+        double step = distance(a, b);
+        if (walked <= step && step > 0.0) return {a + (b - a) * (walked / step), route.path[i - 1].level};
+        walked -= step;
+    }
+    return route.path.back();
+}
+
 std::vector<CueKind> kindsOf(const std::vector<Cue>& cues) {
     std::vector<CueKind> kinds;
     for (const Cue& cue : cues) kinds.push_back(cue.kind);
@@ -137,6 +148,52 @@ TEST(GuidedWalk, WhatIsToldIsNeverStaleByDesign) {
             EXPECT_EQ(cue.validIn.front(), cue.manoeuvre->from);
         }
     }
+}
+
+/// Somebody walks the planned path exactly, seen every two seconds.
+TEST(GuidedWalk, OnAPlannedRouteEveryDoorIsActedOnAndDistancesFit) {
+    Guided walk;
+    auto planner = std::shared_ptr<const routing::Planner>(routing::makeOptimalPlanner(walk.building));
+    RouteTracker tracker(walk.building, planner);
+    CueScheduler scheduler(walk.building);
+    tracker.setDestination(at("C"));
+    auto planned = planner->plan({RegionId("D"), walk.map.spot('d').position}, at("C"));
+    ASSERT_TRUE(planned.ok());
+    std::vector<std::string> acted;
+    std::vector<Cue> all;
+    double last = planned->lengthM + 1.0;
+    std::size_t region = 0;
+    for (double walked = 0.0; walked < planned->lengthM + 1.5; walked += 1.5) {
+        for (const routing::Manoeuvre& each : planned->manoeuvres) {
+            if (!each.access.empty() && each.into == planned->regions[region + 1] && walked > each.atM) ++region;
+            if (region + 1 == planned->regions.size()) break;
+        }
+        routing::PathPoint here = pointAlong(*planned, walked);
+        localisation::Fix fix;
+        fix.time = fix.evidenceTime = walked / 0.75;
+        fix.region = planned->regions[region];
+        fix.confidence = 0.9;
+        fix.level = here.level;
+        fix.position = here.position;
+        fix.sigmaM = 1.0;
+        Progress progress = tracker.update(fix);
+        ASSERT_TRUE(progress.route);
+        if (progress.travel == Travel::OnRoute) {
+            ASSERT_TRUE(progress.distanceM && progress.remainingM && progress.next);
+            EXPECT_NEAR(*progress.remainingM, planned->lengthM - walked, 0.3);
+            EXPECT_LT(*progress.remainingM, last);
+            last = *progress.remainingM;
+        }
+        for (Cue& cue : scheduler.update(1, fix, progress, {})) {
+            if (cue.kind == CueKind::Act) acted.push_back(cue.manoeuvre->access.value);
+            if (cue.kind == CueKind::Act && cue.next) acted.push_back(cue.next->access.value);
+            all.push_back(std::move(cue));
+        }
+    }
+    EXPECT_EQ(std::count(acted.begin(), acted.end(), "C-K"), 1);
+    EXPECT_EQ(all.front().kind, CueKind::RouteStart);
+    EXPECT_EQ(all.front().manoeuvre->access.value, "D-K") << "so near that the start is all there is to tell";
+    EXPECT_EQ(all.back().kind, CueKind::Arrived);
 }
 
 TEST(GuidedWalk, TheSameWalkIsToldTheSame) {

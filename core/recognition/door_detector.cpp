@@ -38,6 +38,8 @@ struct Door {
     std::array<cv::Point2d, 4> quad;
     double jambs = 0.0, lintel = 0.0, contrast = 0.0, evenness = 0.0;
     double score = 0.0;
+    const char* doubt = nullptr; ///< why it is no door after all
+    double doubtValue = 0.0;
 };
 
 struct Lines {
@@ -148,7 +150,18 @@ double difference(const cv::Scalar& a, const cv::Scalar& b) {
     return std::sqrt((a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]) + (a[2] - b[2]) * (a[2] - b[2]));
 }
 
-/// The leaf differs from the wall on both sides and above, and is alike in itself.
+/// Shelves, showcases and vending machines have a door's shape but are full of things.
+double edgeShare(const cv::Mat& lab, double left, double top, double right, double bottom) {
+    cv::Rect box(cv::Point(static_cast<int>(left), static_cast<int>(top)), cv::Point(static_cast<int>(right), static_cast<int>(bottom)));
+    box &= cv::Rect(0, 0, lab.cols, lab.rows);
+    if (box.area() == 0) return 0.0;
+    cv::Mat light, edges;
+    cv::extractChannel(lab(box), light, 0);
+    cv::Canny(light, edges, 40.0, 100.0);
+    return static_cast<double>(cv::countNonZero(edges)) / box.area();
+}
+
+/// The leaf differs from the wall on both sides, and is alike in itself.
 void lookAtLeaf(const cv::Mat& lab, Door& door) {
     double left = (door.quad[0].x + door.quad[3].x) / 2.0;
     double right = (door.quad[1].x + door.quad[2].x) / 2.0;
@@ -165,6 +178,18 @@ void lookAtLeaf(const cv::Mat& lab, Door& door) {
     double weaker = std::min(difference(leafLeft, wallLeft), difference(leafRight, wallRight));
     door.contrast = std::clamp((0.5 * against + 0.5 * weaker) / 40.0, 0.0, 1.0);
     door.evenness = std::clamp(1.0 - difference(leafLeft, leafRight) / 40.0, 0.0, 1.0);
+    double busy = edgeShare(lab, left + margin, top + 0.08 * h, right - margin, bottom - 0.08 * h);
+    double fall = difference(meanOf(lab, left + margin, top + 0.1 * h, right - margin, top + 0.45 * h),
+                             meanOf(lab, left + margin, top + 0.72 * h, right - margin, top + 0.86 * h));
+    // The end of a corridor: its lower part is floor, and on one side it is lit like the wall beside it.
+    bool corridor = fall > 35.0 && weaker < 35.0;
+    if (busy > 0.14) {
+        door.doubt = "busy_leaf";
+        door.doubtValue = busy;
+    } else if (corridor) {
+        door.doubt = "corridor_end";
+        door.doubtValue = fall;
+    }
 }
 
 std::optional<Door> doorFrom(const Jamb& l, const Jamb& r, const Lintel& level, const Lines& lines, cv::Size size,
@@ -254,8 +279,10 @@ DetectorResult detectDoors(const cv::Mat& image, const DoorDetectorOptions& opti
             return overlap(boundingBox(kept.quad), boundingBox(quad)) > 0.4;
         });
         if (copy) continue;
-        if (door.score < options.minScore) {
-            result.rejections.push_back({"doors", Kind::Door, {}, quad, "low_score", door.score});
+        if (door.doubt != nullptr || door.score < options.minScore) {
+            bool doubted = door.doubt != nullptr;
+            result.rejections.push_back({"doors", Kind::Door, {}, quad, doubted ? door.doubt : "low_score",
+                                         doubted ? door.doubtValue : door.score});
             continue;
         }
         Detection detection;

@@ -16,6 +16,7 @@ namespace {
 constexpr int kColumns = 8, kRows = 6; // of the grid that measures how far the inliers spread
 // Identical cabinets, doors and boards fit in a corner of the picture; a place fits all over it.
 constexpr int kFewestCells = 5;
+constexpr double kLeastSpread = 0.035;
 constexpr double kLeastStrength = 9.0;
 constexpr double kRivalShare = 0.6;
 
@@ -77,6 +78,21 @@ int occupiedCells(const std::vector<cv::Point2f>& points, ImageSize size) {
         cells.insert(y * kColumns + x);
     }
     return static_cast<int>(cells.size());
+}
+
+/// Without the outer eighth on each side, so that a few chance matches do not widen a cluster.
+double spreadOf(const std::vector<cv::Point2f>& points, ImageSize size) {
+    if (points.empty()) return 0.0;
+    std::vector<float> x, y;
+    for (const cv::Point2f& p : points) {
+        x.push_back(p.x);
+        y.push_back(p.y);
+    }
+    std::sort(x.begin(), x.end());
+    std::sort(y.begin(), y.end());
+    std::size_t low = points.size() / 8;
+    std::size_t high = points.size() - 1 - low;
+    return static_cast<double>(x[high] - x[low]) / size.width * (y[high] - y[low]) / size.height;
 }
 
 } // namespace
@@ -152,10 +168,10 @@ PlaceSupport PlaceMatcher::verified(ImageSize frameSize, const Features& frame, 
     for (int i = 0; i < static_cast<int>(mask.total()); ++i) {
         if (mask.at<unsigned char>(i) == 0) continue;
         inliers.push_back(here[static_cast<std::size_t>(i)]);
-        support.queries.push_back(matches[static_cast<std::size_t>(i)].query);
     }
     support.inliers = static_cast<int>(inliers.size());
     support.cells = occupiedCells(inliers, frameSize);
+    support.spread = spreadOf(inliers, frameSize);
     return support;
 }
 
@@ -188,8 +204,8 @@ DetectorResult PlaceMatcher::match(ImageSize frameSize, const Features& frame) c
         reject(best, "few_inliers", best.inliers);
         return result;
     }
-    if (best.cells < kFewestCells || best.strength() < kLeastStrength) {
-        reject(best, "narrow_support", best.cells);
+    if (best.cells < kFewestCells || best.spread < kLeastSpread || best.strength() < kLeastStrength) {
+        reject(best, "narrow_support", best.spread);
         return result;
     }
     for (std::size_t i = 1; i < ranked.size(); ++i) {

@@ -16,7 +16,7 @@ struct PlaceSupport {
     int matches = 0;   ///< that pass the ratio test and agree in roll and scale
     int inliers = 0;   ///< of the epipolar geometry
     int cells = 0;     ///< of the frame's 8 x 6 cells that hold an inlier
-    std::vector<int> queries; ///< the inliers' keypoints of the frame
+    double spread = 0.0; ///< share of the frame that the middle three quarters of them span
     double strength() const;
 };
 

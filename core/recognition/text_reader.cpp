@@ -6,6 +6,8 @@
 #include "core/recognition/sharpness.h"
 #include "core/recognition/text_lines.h"
 
+#include <opencv2/imgproc.hpp>
+
 #include <tesseract/baseapi.h>
 
 #include <dlfcn.h>
@@ -177,6 +179,17 @@ void TextReader::Engine::readInto(const Line& line, ImageSize size, DetectorResu
     if (!reading) {
         rejection.reason = "low_confidence";
         rejection.value = confidence;
+        result.rejections.push_back(rejection);
+        return;
+    }
+    // A digit that changes with the size it is read at is a guess, however sure Tesseract is of it.
+    cv::Mat smaller;
+    cv::resize(line.picture, smaller, cv::Size(), 0.7, 0.7, cv::INTER_AREA);
+    double again = 0.0;
+    auto second = readLine(smaller, again);
+    if (!second || second->text != reading->text) {
+        rejection.reason = "unstable_reading";
+        rejection.value = again;
         result.rejections.push_back(rejection);
         return;
     }

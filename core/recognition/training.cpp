@@ -107,11 +107,11 @@ Features objectFeatures(const cv::Mat& grey, const Quad& outline, const FeatureE
                   static_cast<int>(std::ceil(box.height)) + 1);
     part &= cv::Rect(0, 0, grey.cols, grey.rows);
     cv::Mat padded;
-    // The margin shows what really surrounds the object where the photograph has it, plain grey where it ends.
+    // The margin shows what really surrounds the object where the photograph has it, and where it ends no edge.
     cv::Rect wide(part.x - kMargin, part.y - kMargin, part.width + 2 * kMargin, part.height + 2 * kMargin);
     cv::Rect inside = wide & cv::Rect(0, 0, grey.cols, grey.rows);
     cv::copyMakeBorder(grey(inside), padded, inside.y - wide.y, wide.br().y - inside.br().y, inside.x - wide.x,
-                       wide.br().x - inside.br().x, cv::BORDER_CONSTANT | cv::BORDER_ISOLATED, cv::Scalar(127));
+                       wide.br().x - inside.br().x, cv::BORDER_REPLICATE | cv::BORDER_ISOLATED);
     Features features = extractor.extract(padded);
     shift(features, wide.x, wide.y);
     keepInside(features, corners(outline), kObjectKeypoints);

@@ -1,6 +1,6 @@
 #include "core/capture/picture.h"
 
-#include "temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 #include <opencv2/imgcodecs.hpp>
 

@@ -1,6 +1,6 @@
 #include "core/capture/frame_source.h"
 
-#include "temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/videoio.hpp>

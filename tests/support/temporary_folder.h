@@ -6,12 +6,12 @@
 #include <stdlib.h> // NOLINT: mkdtemp is POSIX
 #include <string>
 
-namespace farol::capture::test {
+namespace farol::test {
 
 class TemporaryFolder {
 public:
     TemporaryFolder() {
-        std::string pattern = (std::filesystem::temp_directory_path() / "farol-capture-XXXXXX").string();
+        std::string pattern = (std::filesystem::temp_directory_path() / "farol-test-XXXXXX").string();
         m_path = mkdtemp(pattern.data());
     }
     ~TemporaryFolder() {
@@ -31,4 +31,4 @@ private:
     std::filesystem::path m_path;
 };
 
-} // namespace farol::capture::test
+} // namespace farol::test

@@ -1,0 +1,130 @@
+#include "core/recognition/text_reader.h"
+
+#include "core/base/log.h"
+#include "drawn_pictures.h"
+
+#include <opencv2/imgproc.hpp>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace farol::recognition {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+/// A sign, 400 x 160, with a frame line, dark letters on light ground or the other way round.
+cv::Mat sign(const std::vector<std::string>& lines, bool inverse = false) {
+    int height = 40 + 110 * static_cast<int>(lines.size());
+    cv::Mat plate(height, 520, CV_8UC3, cv::Scalar::all(inverse ? 40 : 235));
+    cv::Scalar ink = cv::Scalar::all(inverse ? 240 : 20);
+    cv::rectangle(plate, cv::Rect(4, 4, 512, height - 8), ink, 4);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        int base = 0;
+        cv::Size size = cv::getTextSize(lines[i], cv::FONT_HERSHEY_DUPLEX, 2.2, 4, &base);
+        cv::putText(plate, lines[i], {260 - size.width / 2, 105 + 110 * static_cast<int>(i)}, cv::FONT_HERSHEY_DUPLEX, 2.2, ink, 4,
+                    cv::LINE_AA);
+    }
+    return plate;
+}
+
+std::vector<std::string> texts(const DetectorResult& result) {
+    std::vector<std::string> out;
+    for (const Detection& d : result.detections) out.push_back(d.text);
+    return out;
+}
+
+class Reading : public testing::Test {
+protected:
+    static void SetUpTestSuite() {
+        auto made = TextReader::create();
+        ASSERT_TRUE(made) << made.error().text();
+        s_reader = std::make_unique<TextReader>(std::move(*made));
+    }
+    static void TearDownTestSuite() { s_reader.reset(); }
+    static std::unique_ptr<TextReader> s_reader;
+};
+std::unique_ptr<TextReader> Reading::s_reader;
+
+TEST_F(Reading, SignsOfSeveralSizesAreReadWhereTheyHang) {
+    struct Case {
+        const char* text;
+        Quad quad;
+    };
+    const Case cases[] = {{"SAIDA", quadOf({100, 100, 440, 127})},
+                          {"2.14", quadOf({200, 200, 260, 75})},
+                          {"Sala 105", quadOf({240, 150, 180, 52})},
+                          {"LAB 7", Quad{ImagePoint{200, 180}, {420, 200}, {420, 270}, {200, 245}}}};
+    for (const Case& one : cases) {
+        cv::Mat picture(480, 640, CV_8UC3, cv::Scalar::all(150));
+        test::hang(picture, sign({one.text}), one.quad);
+        auto given = s_reader->read(picture, {one.quad});
+        EXPECT_THAT(texts(given), ElementsAre(one.text)) << "at a plate that was given";
+        auto found = s_reader->read(picture);
+        ASSERT_THAT(texts(found), ElementsAre(one.text)) << "found by itself";
+        EXPECT_EQ(found.detections[0].kind, Kind::Text);
+        EXPECT_GE(found.detections[0].score, 0.7);
+        EXPECT_EQ(found.detections[0].image, (ImageSize{640, 480}));
+        EXPECT_GT(overlap(boundingBox(found.detections[0].quad), boundingBox(one.quad)), 0.15);
+    }
+}
+
+TEST_F(Reading, LightLettersOnDarkGroundAreReadToo) {
+    cv::Mat picture(480, 640, CV_8UC3, cv::Scalar::all(150));
+    Quad quad = quadOf({150, 150, 340, 98});
+    test::hang(picture, sign({"BAR"}, true), quad);
+    EXPECT_THAT(texts(s_reader->read(picture, {quad})), ElementsAre("BAR"));
+}
+
+TEST_F(Reading, EveryLineOfAPlateIsOneReading) {
+    cv::Mat picture(480, 640, CV_8UC3, cv::Scalar::all(150));
+    Quad quad = quadOf({120, 120, 400, 200});
+    test::hang(picture, sign({"Sala 210", "Secretaria"}), quad);
+    EXPECT_THAT(texts(s_reader->read(picture, {quad})), ElementsAre("Sala 210", "Secretaria"));
+}
+
+TEST_F(Reading, ABlurredSignIsNotGuessedAt) {
+    for (double blur : {6.0, 10.0}) {
+        cv::Mat picture(480, 640, CV_8UC3, cv::Scalar::all(150));
+        Quad quad = quadOf({200, 200, 220, 64});
+        test::hang(picture, sign({"2.14"}), quad);
+        cv::GaussianBlur(picture, picture, cv::Size(), blur);
+        auto result = s_reader->read(picture, {quad});
+        EXPECT_THAT(texts(result), IsEmpty());
+    }
+    cv::Mat smeared(480, 640, CV_8UC3, cv::Scalar::all(150));
+    test::hang(smeared, sign({"SAIDA"}), quadOf({200, 200, 220, 64}));
+    cv::blur(smeared, smeared, cv::Size(45, 1));
+    EXPECT_THAT(texts(s_reader->read(smeared)), IsEmpty());
+}
+
+TEST_F(Reading, WhereNothingIsWrittenNothingIsRead) {
+    for (std::uint64_t seed = 1; seed < 6; ++seed) EXPECT_THAT(texts(s_reader->read(test::room(seed))), IsEmpty()) << seed;
+    for (const cv::Mat& picture : {cv::Mat(), cv::Mat(1, 1, CV_8UC3, cv::Scalar::all(5)), cv::Mat(9, 9, CV_8U, cv::Scalar(5)),
+                                   cv::Mat(480, 640, CV_8UC3, cv::Scalar::all(128))}) {
+        EXPECT_THAT(texts(s_reader->read(picture)), IsEmpty());
+        EXPECT_THAT(texts(s_reader->read(picture, {quadOf({0, 0, 5, 5}), quadOf({-50, -50, 900, 900}), Quad{}})), IsEmpty());
+    }
+}
+
+TEST(TextReader, MissingLanguagesAreToldWithTheirPackages) {
+    TextReaderOptions options;
+    options.languages = "xxx+yyy";
+    auto none = TextReader::create(options);
+    ASSERT_FALSE(none);
+    EXPECT_EQ(none.error().code, ErrorCode::Unavailable);
+    EXPECT_THAT(none.error().text(), testing::HasSubstr("tesseract-ocr-xxx"));
+    std::vector<std::string> warnings;
+    setLogSink([&](LogLevel, const std::string& text) { warnings.push_back(text); });
+    options.languages = "eng+xxx";
+    EXPECT_TRUE(TextReader::create(options));
+    setLogSink({});
+    ASSERT_EQ(warnings.size(), 1U);
+    EXPECT_THAT(warnings[0], testing::HasSubstr("tesseract-ocr-xxx"));
+    options.languages = "";
+    EXPECT_EQ(TextReader::create(options).error().code, ErrorCode::InvalidArgument);
+}
+
+} // namespace
+} // namespace farol::recognition

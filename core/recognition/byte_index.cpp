@@ -1,5 +1,6 @@
 #include "core/recognition/byte_index.h"
 
+#include <opencv2/flann/defines.h> // matrix.h forgets it
 #include <opencv2/flann/kdtree_index.h>
 
 #include <cmath>

@@ -464,10 +464,6 @@
         <translation>avance</translation>
     </message>
     <message>
-        <source>you are at your destination</source>
-        <translation>está no seu destino</translation>
-    </message>
-    <message>
         <source>It is a long flight.</source>
         <translation>São muitos degraus.</translation>
     </message>
@@ -497,10 +493,6 @@
     <message>
         <source>At the bottom: %1.</source>
         <translation>Em baixo: %1.</translation>
-    </message>
-    <message>
-        <source>Right after that, you are at your destination.</source>
-        <translation>Logo a seguir, está no seu destino.</translation>
     </message>
     <message>
         <source>Then, straight away, %1.</source>
@@ -853,6 +845,10 @@
         <source>%1: a bend. Follow it, %2.</source>
         <extracomment>%1 &quot;First&quot;, %2 &quot;turning left&quot;</extracomment>
         <translation>%1: uma curva. Siga por ela, %2.</translation>
+    </message>
+    <message>
+        <source>your destination</source>
+        <translation>o seu destino</translation>
     </message>
 </context>
 <context>

@@ -96,6 +96,9 @@ void addManoeuvres(std::vector<NamedCue>& list, CueKind kind, const QString& wor
     add("door ahead, straight", with(cueOf(kind, at(ManoeuvreKind::Door, 5), "Library"), 12, 3.0), true);
     add("door without a name", cueOf(kind, at(ManoeuvreKind::Door, -90)));
     add("door, then arrive", then(cueOf(kind, at(ManoeuvreKind::Door, 0), "Library"), at(ManoeuvreKind::Arrive)));
+    add("turn, then arrive", then(cueOf(kind, at(ManoeuvreKind::Turn, 90)), at(ManoeuvreKind::Arrive)));
+    add("stairs up, then arrive", then(toLevel(cueOf(kind, at(ManoeuvreKind::Stairs, 0, Vertical::Up, 9), "Library"), "2"),
+                                       at(ManoeuvreKind::Arrive)));
     add("opening", cueOf(kind, at(ManoeuvreKind::Opening, 0), "Hall"));
     add("opening slightly right, unsure", unsure(cueOf(kind, at(ManoeuvreKind::Opening, -35), "Hall")), true);
     add("opening, then door", then(cueOf(kind, at(ManoeuvreKind::Opening, 90), "Hall"), at(ManoeuvreKind::Door, -90)));

@@ -167,7 +167,7 @@ QString Phrasebook::withTurn(const QString& clause, const Manoeuvre& manoeuvre) 
 QString Phrasebook::clause(const Manoeuvre& manoeuvre) const {
     if (manoeuvre.kind == ManoeuvreKind::Turn) return turnWords(manoeuvre.turn);
     if (manoeuvre.kind == ManoeuvreKind::Start) return tr("move forward");
-    if (manoeuvre.kind == ManoeuvreKind::Arrive) return tr("you are at your destination");
+    if (manoeuvre.kind == ManoeuvreKind::Arrive) return tr("your destination");
     return withTurn(action(featureOf(manoeuvre)), manoeuvre);
 }
 
@@ -192,6 +192,8 @@ QString Phrasebook::tail(const Cue& cue, const Manoeuvre& manoeuvre) const {
         place << level;
     }
     if (!into.isEmpty() && manoeuvre.kind != ManoeuvreKind::Turn && manoeuvre.kind != ManoeuvreKind::Arrive) place << into;
+    const bool arrives = cue.next && cue.next->kind == ManoeuvreKind::Arrive;
+    if (arrives) place << tr("your destination");
     if (!place.isEmpty()) {
         const QString where = place.join(QStringLiteral(", "));
         if (!changesLevel(manoeuvre.kind)) sentences << tr("Next: %1.").arg(where);
@@ -200,10 +202,8 @@ QString Phrasebook::tail(const Cue& cue, const Manoeuvre& manoeuvre) const {
         else if (vertical == Vertical::Down) sentences << tr("At the bottom: %1.").arg(where);
         else sentences << tr("Next: %1.").arg(where);
     }
-    if (cue.next && cue.next->kind != ManoeuvreKind::Start) {
-        const bool arrives = cue.next->kind == ManoeuvreKind::Arrive;
-        sentences << (arrives ? tr("Right after that, you are at your destination.")
-                              : tr("Then, straight away, %1.").arg(clause(*cue.next)));
+    if (cue.next && !arrives && cue.next->kind != ManoeuvreKind::Start) {
+        sentences << tr("Then, straight away, %1.").arg(clause(*cue.next));
     }
     return spoken::joined(sentences);
 }

@@ -1,0 +1,127 @@
+#include "core/session/perception.h"
+
+#include "tests/session/walk_fixture.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <opencv2/imgproc.hpp>
+
+#include <algorithm>
+
+namespace farol::session {
+namespace {
+
+using testing::HasSubstr;
+
+capture::Frame frameOf(cv::Mat image, std::uint64_t index, double time) {
+    capture::Frame frame;
+    frame.index = index;
+    frame.capturedAt = time;
+    frame.image = std::move(image);
+    frame.name = "picture";
+    return frame;
+}
+
+/// A wall with a door plate.
+cv::Mat plate() {
+    cv::Mat image(480, 640, CV_8UC3, cv::Scalar(150, 160, 165));
+    cv::rectangle(image, cv::Rect(190, 150, 260, 120), cv::Scalar(250, 250, 250), cv::FILLED);
+    cv::rectangle(image, cv::Rect(190, 150, 260, 120), cv::Scalar(20, 20, 20), 3);
+    cv::putText(image, "2.14", cv::Point(222, 235), cv::FONT_HERSHEY_DUPLEX, 2.6, cv::Scalar(10, 10, 10), 5, cv::LINE_AA);
+    return image;
+}
+
+bool readsSomething(const Percept& percept) {
+    return std::any_of(percept.detections.begin(), percept.detections.end(),
+                       [](const recognition::Detection& detection) { return detection.kind == Kind::Text; });
+}
+
+TEST(Perception, SaysWhatItCannotDo) {
+    std::vector<std::string> warnings;
+    PerceptionOptions options;
+    options.textReader.languages = "klingon";
+    Perception perception(nullptr, options, warnings);
+    ASSERT_EQ(warnings.size(), 2U);
+    EXPECT_THAT(warnings[0], HasSubstr("no trained landmarks"));
+    EXPECT_THAT(warnings[1], HasSubstr("signs are not read"));
+    Percept percept = perception.look(frameOf(plate(), 0, 0.0));
+    EXPECT_FALSE(readsSomething(percept));
+
+    warnings.clear();
+    options.landmarks = options.text = false;
+    Perception silent(nullptr, options, warnings);
+    EXPECT_TRUE(warnings.empty()) << "what was not asked for is not missed";
+}
+
+TEST(Perception, AnEmptyLibraryIsNoLibrary) {
+    std::vector<std::string> warnings;
+    PerceptionOptions options;
+    options.text = false;
+    Perception perception(std::make_shared<recognition::LandmarkLibrary>(), options, warnings);
+    EXPECT_EQ(warnings.size(), 1U);
+    EXPECT_TRUE(perception.look(frameOf(test::drawnFrame(0), 0, 0.0)).detections.empty());
+}
+
+TEST(Perception, ReadsAtMostSoOftenByTheFramesOwnClock) {
+    std::vector<std::string> warnings;
+    PerceptionOptions options;
+    options.landmarks = options.doors = false;
+    Perception perception(nullptr, options, warnings);
+    ASSERT_TRUE(warnings.empty()) << warnings.front();
+    std::vector<bool> read;
+    for (double time : {0.0, 0.1, 0.2, 0.31, 0.4, 0.62, 0.1}) // the last: a clock that was set back
+        read.push_back(readsSomething(perception.look(frameOf(plate(), read.size(), time))));
+    EXPECT_THAT(read, testing::ElementsAre(true, false, false, true, false, true, true));
+}
+
+TEST(Perception, TheSamePicturesGiveTheSamePercepts) {
+    std::vector<std::string> warnings;
+    Perception first(nullptr, {}, warnings);
+    Perception second(nullptr, {}, warnings);
+    for (std::uint64_t i = 0; i < 4; ++i) {
+        cv::Mat image = i % 2 == 0 ? plate() : test::drawnFrame(i);
+        EXPECT_EQ(dumped(perceptJson(first.look(frameOf(image, i, 0.5 * double(i))))),
+                  dumped(perceptJson(second.look(frameOf(image.clone(), i, 0.5 * double(i))))));
+    }
+}
+
+TEST(Perception, AnotherRoomIsAnotherScene) {
+    std::vector<std::string> warnings;
+    PerceptionOptions options;
+    options.landmarks = options.text = options.doors = false;
+    Perception perception(nullptr, options, warnings);
+    int first = perception.look(frameOf(test::drawnFrame(0), 0, 0.0)).scene;
+    EXPECT_EQ(perception.look(frameOf(test::drawnFrame(1), 1, 0.1)).scene, first);
+    EXPECT_GT(perception.look(frameOf(plate(), 2, 0.2)).scene, first);
+}
+
+TEST(Perception, NoPictureIsAPerceptWithNothing) {
+    std::vector<std::string> warnings;
+    Perception perception(nullptr, {}, warnings);
+    Percept percept = perception.look(frameOf(cv::Mat(), 4, 2.0));
+    EXPECT_EQ(percept.frame, 4U);
+    EXPECT_EQ(percept.time, 2.0);
+    EXPECT_TRUE(percept.detections.empty());
+    EXPECT_TRUE(perceptFromJson(perceptJson(percept)));
+}
+
+TEST(Perception, BoardsAreDetectionsOnlyWhenAskedFor) {
+    std::vector<std::string> warnings;
+    PerceptionOptions options;
+    options.landmarks = options.doors = options.text = false;
+    options.rectangles = true;
+    Perception perception(nullptr, options, warnings);
+    Percept percept = perception.look(frameOf(plate(), 0, 0.0));
+    ASSERT_FALSE(percept.detections.empty());
+    EXPECT_EQ(percept.detections.front().kind, Kind::Rectangle);
+}
+
+TEST(Perception, SenselessOptionsAreRefused) {
+    PerceptionOptions options;
+    EXPECT_TRUE(options.check());
+    options.secondsBetweenReadings = -1.0;
+    EXPECT_FALSE(options.check());
+}
+
+} // namespace
+} // namespace farol::session

@@ -14,8 +14,8 @@ namespace farol::recognition {
 
 struct TextReaderOptions {
     std::string languages = "por+eng"; ///< tessdata names; those not installed are left out with a warning
-    double minConfidence = 70.0;       ///< Tesseract's, 0 to 100, of the weakest word kept
-    double minSharpness = 12.0;
+    double minConfidence = 80.0;       ///< Tesseract's, 0 to 100, of the weakest word kept
+    double minSharpness = 7.0;         ///< of one line as it is rectified; see sharpness.h
     int minLetters = 2;
     int lineHeightPx = 64;             ///< a plate is rectified to this height a line
     int maxPlates = 8;                 ///< a frame

@@ -13,6 +13,7 @@ using guidance::CueReason;
 namespace {
 
 constexpr double kRepeatSeconds = 15.0;
+constexpr double kJumpSeconds = 5.0;
 constexpr int kDefaultGapMs = 1000;
 
 bool tellsToMove(CueKind kind) {
@@ -70,7 +71,7 @@ bool SpeechQueue::toldLately(const Utterance& utterance) const {
     };
     if (m_current && same(m_current->cue, m_current->text)) return true;
     return std::any_of(m_told.begin(), m_told.end(), [&](const Told& told) {
-        return m_now - told.time < kRepeatSeconds && same(told.cue, told.text);
+        return m_now - told.cue.time < kRepeatSeconds && same(told.cue, told.text);
     });
 }
 
@@ -128,12 +129,13 @@ void SpeechQueue::interruptFor(const Cue& cue) {
 }
 
 void SpeechQueue::setNow(double time, const std::optional<RegionId>& region, std::uint64_t routeVersion) {
-    if (time < m_now) m_told.clear(); // a replay that jumped back: nothing of this was told yet
+    // A replay that jumped back: nothing of this was told yet. A screen that lags a little behind is no jump.
+    if (time < m_now - kJumpSeconds) m_told.clear();
     m_now = time;
     m_region = region;
     m_routeVersion = routeVersion;
     dropWaiting([this](const Utterance& utterance) { return stale(utterance.cue); }, UtteranceState::Expired);
-    std::erase_if(m_told, [this](const Told& told) { return m_now - told.time >= kRepeatSeconds; });
+    std::erase_if(m_told, [this](const Told& told) { return m_now - told.cue.time >= kRepeatSeconds; });
     // An instruction of an old route is wrong while it is being spoken, too; one whose place was just left is only
     // a little late, and its end may still be needed ("then turn right").
     if (!m_current || m_current->cue.routeVersion == 0 || m_current->cue.routeVersion >= m_routeVersion) return;
@@ -181,7 +183,7 @@ void SpeechQueue::finish(UtteranceState state) {
     Utterance ended = std::move(*m_current);
     m_current.reset();
     ended.state = state;
-    if (state == UtteranceState::Spoken) m_told.push_back({ended.cue, ended.text, m_now});
+    if (state == UtteranceState::Spoken) m_told.push_back({ended.cue, ended.text});
     Q_EMIT changed(ended);
 }
 
@@ -209,6 +211,7 @@ void SpeechQueue::repeatLast() {
         again.cue = m_lastActionable->cue;
         again.cue.distanceM.reset();
         again.cue.hour.reset();
+        again.cue.time = m_now;
         again.cue.validUntil = 0.0; // asked for now, so it is wanted now
         again.cue.validIn.clear();
         again.text = m_phrasebook.sentence(again.cue);

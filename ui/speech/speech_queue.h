@@ -52,11 +52,11 @@ Q_SIGNALS:
     void trouble(const QString& message);
 
 private:
-    /// What was heard lately, so that it is not said again.
+    /// What was heard lately, so that it is not said again. The 15 s count from the cue, not from the end of a long
+    /// sentence: what the engine repeats every 15 s is to be repeated.
     struct Told {
         guidance::Cue cue;
         QString text;
-        double time = 0.0;
     };
 
     bool stale(const guidance::Cue& cue) const;

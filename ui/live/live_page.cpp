@@ -1,1 +1,272 @@
-// Written with its module.
+#include "ui/live/live_page.h"
+
+#include "ui/convert/convert.h"
+#include "ui/live/banner.h"
+#include "ui/live/frame_panel.h"
+#include "ui/live/instruction_panel.h"
+#include "ui/live/map_panel.h"
+#include "ui/live/place_chooser.h"
+#include "ui/live/tables.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QScrollBar>
+#include <QSplitter>
+#include <QTabWidget>
+#include <QTableView>
+#include <QVBoxLayout>
+
+namespace farol::ui {
+
+namespace {
+
+constexpr double kZoneSeconds = 4.0; // how long the zone of a spoken object stays marked
+
+QWidget* titled(QLabel* title, QWidget* content, QWidget* parent) {
+    auto* box = new QWidget(parent);
+    auto* layout = new QVBoxLayout(box);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(4);
+    layout->addWidget(title);
+    layout->addWidget(content, 1);
+    return box;
+}
+
+} // namespace
+
+LivePage::LivePage(Walk& walk, SpeechDesk& speech, Settings& settings, QWidget* parent)
+    : QWidget(parent), m_walk(walk), m_speech(speech), m_settings(settings) {
+    build();
+    connectWalk();
+    connectViews();
+    retranslate();
+    restoreLayout();
+    m_instruction->setVoice(speech.status(), speech.trouble());
+    setBuilding(walk.building());
+}
+
+LivePage::~LivePage() = default;
+
+void LivePage::build() {
+    m_banners = new BannerStack(this);
+    m_destination = new PlaceChooser(m_regions, PlaceChooser::Purpose::Destination, this);
+    m_start = new PlaceChooser(m_regions, PlaceChooser::Purpose::Start, this);
+    m_instruction = new InstructionPanel(this);
+    m_views = new QSplitter(Qt::Horizontal, this);
+    m_frame = new FramePanel(m_views);
+    m_map = new MapPanel(m_views);
+    m_views->addWidget(m_frame);
+    m_views->addWidget(m_map);
+    m_views->setStretchFactor(0, 1);
+    m_views->setStretchFactor(1, 1);
+    m_halves = new QSplitter(Qt::Vertical, this);
+    m_halves->addWidget(m_views);
+    m_halves->addWidget(makeTables());
+    m_halves->setStretchFactor(0, 5);
+    m_halves->setStretchFactor(1, 2);
+    for (QSplitter* splitter : {m_views, m_lists, m_halves}) {
+        splitter->setChildrenCollapsible(false);
+        splitter->setHandleWidth(8);
+    }
+
+    auto* places = new QHBoxLayout;
+    places->setSpacing(16);
+    places->addWidget(m_destination, 1);
+    places->addWidget(m_start, 1);
+    auto* content = new QVBoxLayout;
+    content->setContentsMargins(8, 6, 8, 4);
+    content->setSpacing(6);
+    content->addLayout(places);
+    content->addWidget(m_instruction);
+    content->addWidget(m_halves, 1);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(m_banners);
+    layout->addLayout(content, 1);
+}
+
+QWidget* LivePage::makeTables() {
+    m_lists = new QSplitter(Qt::Horizontal, this);
+    m_saidTitle = panelTitle(m_lists);
+    m_voteTitle = panelTitle(m_lists);
+    m_said = panelTable(&m_utterances, UtteranceModel::Sentence, m_lists);
+    m_voteTable = panelTable(&m_votes, VoteModel::Why, m_lists);
+    m_voteTable->setItemDelegateForColumn(VoteModel::Vote, new ShareBarDelegate(m_voteTable));
+    m_tabs = new QTabWidget(m_lists);
+    m_tabs->setDocumentMode(true);
+    m_historyTable = panelTable(&m_history, HistoryModel::Name, m_tabs);
+    m_pictureTable = panelTable(&m_detections, DetectionModel::Name, m_tabs);
+    m_floorTable = panelTable(&m_floor, FloorModel::Name, m_tabs);
+    m_tabs->addTab(m_historyTable, QString());
+    m_tabs->addTab(m_pictureTable, QString());
+    m_tabs->addTab(m_floorTable, QString());
+    m_lists->addWidget(titled(m_saidTitle, m_said, m_lists));
+    m_lists->addWidget(titled(m_voteTitle, m_voteTable, m_lists));
+    m_lists->addWidget(m_tabs);
+    m_lists->setStretchFactor(0, 5);
+    m_lists->setStretchFactor(1, 4);
+    m_lists->setStretchFactor(2, 4);
+    m_saidTitle->setBuddy(m_said);
+    m_voteTitle->setBuddy(m_voteTable);
+    return m_lists;
+}
+
+void LivePage::connectWalk() {
+    connect(&m_walk, &Walk::mapChanged, this, [this] { setBuilding(m_walk.building()); });
+    connect(&m_walk, &Walk::snapshotChanged, this, [this] { show(m_walk.snapshot()); });
+    connect(&m_walk, &Walk::walkBegan, this, [this] {
+        m_speech.reset();
+        m_utterances.clear();
+        m_framesShown = 0;
+        show(nullptr);
+    });
+    connect(&m_walk, &Walk::stepped, this, [this](const session::NavigationStep& step) {
+        m_speech.setNow(step.percept.time, step.fix.region, step.progress.routeVersion);
+    });
+    connect(&m_walk, &Walk::cueCame, this, [this](const guidance::Cue& cue) { m_speech.add(cue); });
+    connect(&m_walk, &Walk::placesChanged, this, [this] {
+        m_destination->setChosen(m_walk.destination());
+        m_start->setChosen(m_walk.start());
+        m_map->setDestination(m_walk.destination());
+        markFloor();
+    });
+    connect(&m_speech, &SpeechDesk::utteranceChanged, this, &LivePage::note);
+    connect(&m_speech, &SpeechDesk::statusChanged, m_instruction, &InstructionPanel::setVoice);
+}
+
+void LivePage::connectViews() {
+    connect(m_destination, &PlaceChooser::placeChosen, &m_walk, &Walk::setDestination);
+    connect(m_start, &PlaceChooser::placeChosen, &m_walk, &Walk::setStart);
+    connect(m_map, &MapPanel::destinationWanted, &m_walk, [this](const RegionId& region) { m_walk.setDestination(region); });
+    connect(m_map, &MapPanel::startWanted, &m_walk, [this](const RegionId& region) { m_walk.setStart(region); });
+    connect(m_map, &MapPanel::followChanged, &m_settings, &Settings::setFollowLevel);
+    connect(&m_map->view(), &MapView::levelChanged, this, [this](double ordinal) { m_floor.setLevel(ordinal); });
+    connect(&m_map->view(), &MapView::selectionChanged, this, [this](const std::optional<MapHit>& hit) {
+        if (!hit) return m_floorTable->clearSelection();
+        const auto sort = static_cast<FloorModel::Sort>(hit->what);
+        if (const int row = m_floor.rowOf(sort, hit->index); row >= 0) m_floorTable->selectRow(row);
+    });
+    connect(m_floorTable->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
+            [this](const QModelIndex& current) {
+                if (current.isValid() && m_floorTable->hasFocus()) selectOnMap(current.row());
+            });
+    connect(m_floorTable, &QTableView::activated, this, [this](const QModelIndex& index) {
+        const FloorModel::Row& row = m_floor.at(index.row());
+        if (row.sort == FloorModel::Sort::Region)
+            m_walk.setDestination(m_walk.building()->regions()[row.index].id);
+    });
+    connect(&m_utterances, &QAbstractItemModel::rowsInserted, m_said, [this] {
+        const QScrollBar* bar = m_said->verticalScrollBar();
+        if (bar->value() >= bar->maximum() - 4) // unless the reader looks further up
+            QMetaObject::invokeMethod(m_said, &QTableView::scrollToBottom, Qt::QueuedConnection);
+    });
+    const auto display = [this] {
+        m_frame->view().setShowGrid(m_settings.showGrid());
+        m_frame->view().setShowRejected(m_settings.showRejected());
+        m_map->setFollow(m_settings.followLevel());
+        show(m_shown);
+    };
+    connect(&m_settings, &Settings::displayChanged, this, display);
+    display();
+}
+
+void LivePage::selectOnMap(int floorRow) {
+    const FloorModel::Row& row = m_floor.at(floorRow);
+    m_map->view().select(MapHit{static_cast<MapHit::What>(row.sort), row.index}, true);
+}
+
+void LivePage::setBuilding(const std::shared_ptr<const building::Building>& building) {
+    m_shown.reset();
+    m_regions.setBuilding(building);
+    m_votes.setBuilding(building);
+    m_floor.setBuilding(building);
+    m_instruction->setBuilding(building);
+    m_map->setBuilding(building);
+    m_floor.setLevel(m_map->view().level());
+    for (PlaceChooser* chooser : {m_destination, m_start}) chooser->setEnabled(building != nullptr);
+    show(nullptr);
+}
+
+void LivePage::show(const std::shared_ptr<const session::Snapshot>& snapshot) {
+    const bool newFrame = snapshot && snapshot != m_shown;
+    m_shown = snapshot;
+    m_frame->show(snapshot);
+    m_map->show(snapshot);
+    m_instruction->show(snapshot);
+    if (!snapshot) {
+        m_history.show({});
+        m_detections.show({}, {});
+        m_votes.show({});
+        m_frame->view().setSpokenZone(std::nullopt);
+    } else {
+        const session::NavigationStep& step = snapshot->step;
+        m_history.show(step.history);
+        m_detections.show(step.percept.detections, m_settings.showRejected()
+                                                       ? step.percept.rejections
+                                                       : std::vector<recognition::Rejection>{});
+        m_votes.show(step.fix.votes);
+        if (step.percept.time > m_zoneUntil) m_frame->view().setSpokenZone(std::nullopt);
+    }
+    markFloor();
+    if (newFrame) Q_EMIT frameShown(++m_framesShown);
+}
+
+void LivePage::markFloor() {
+    m_floor.setMarks(m_shown ? m_shown->step.fix.region : std::nullopt, m_walk.destination());
+}
+
+void LivePage::note(const Utterance& utterance) {
+    m_utterances.note(utterance);
+    m_instruction->note(utterance);
+    const bool hasZone = utterance.cue.kind == guidance::CueKind::Detection || utterance.cue.kind == guidance::CueKind::Text;
+    const bool current = utterance.state == UtteranceState::Speaking || utterance.state == UtteranceState::Shown;
+    if (!hasZone || !current) return;
+    m_zoneUntil = utterance.cue.time + kZoneSeconds;
+    m_frame->view().setSpokenZone(utterance.cue.zone);
+}
+
+void LivePage::retranslate() {
+    m_saidTitle->setText(tr("What was said"));
+    m_voteTitle->setText(tr("Where it could be"));
+    const auto name = [](QTableView* table, const QString& text, const QString& tip) {
+        table->setAccessibleName(text);
+        table->setToolTip(tip);
+    };
+    name(m_said, tr("What was said"), tr("Every sentence, when it was due, and what became of it"));
+    name(m_voteTable, tr("Where it could be"), tr("The places that fit what was seen, best first"));
+    name(m_historyTable, tr("Last seen"), tr("The last objects that the place is worked out from"));
+    name(m_pictureTable, tr("In the picture"), tr("Everything recognised in the picture shown"));
+    name(m_floorTable, tr("On this floor"), tr("The map as a list; press Enter on a place to go there"));
+    m_tabs->setTabText(0, tr("Last seen"));
+    m_tabs->setTabText(1, tr("In the picture"));
+    m_tabs->setTabText(2, tr("On this floor"));
+    m_tabs->tabBar()->setAccessibleName(tr("Lists"));
+    for (QTableView* table : {m_said, m_voteTable, m_historyTable, m_pictureTable, m_floorTable})
+        table->viewport()->update();
+    for (const QAbstractItemModel* model :
+         std::initializer_list<const QAbstractItemModel*>{&m_utterances, &m_votes, &m_history, &m_detections, &m_floor})
+        Q_EMIT const_cast<QAbstractItemModel*>(model)->headerDataChanged(Qt::Horizontal, 0, model->columnCount() - 1);
+}
+
+void LivePage::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::LanguageChange) retranslate();
+    QWidget::changeEvent(event);
+}
+
+void LivePage::restoreLayout() {
+    m_views->restoreState(m_settings.splitter(QStringLiteral("views")));
+    m_lists->restoreState(m_settings.splitter(QStringLiteral("lists")));
+    m_halves->restoreState(m_settings.splitter(QStringLiteral("halves")));
+}
+
+void LivePage::saveLayout() {
+    m_settings.setSplitter(QStringLiteral("views"), m_views->saveState());
+    m_settings.setSplitter(QStringLiteral("lists"), m_lists->saveState());
+    m_settings.setSplitter(QStringLiteral("halves"), m_halves->saveState());
+}
+
+} // namespace farol::ui

@@ -1,1 +1,182 @@
-// Written with its module.
+#include "ui/settings/settings.h"
+
+#include <QDir>
+#include <QStandardPaths>
+
+#include <algorithm>
+#include <cmath>
+
+namespace farol::ui {
+
+namespace {
+
+constexpr int kRecentItems = 8;
+
+const QString kLanguage = QStringLiteral("words/language");
+const QString kDirections = QStringLiteral("words/direction-style");
+const QString kVerbosity = QStringLiteral("words/verbosity");
+const QString kEngine = QStringLiteral("voice/engine");
+const QString kVoice = QStringLiteral("voice/name");
+const QString kRate = QStringLiteral("voice/rate");
+const QString kVolume = QStringLiteral("voice/volume");
+const QString kMuted = QStringLiteral("voice/muted");
+const QString kFollow = QStringLiteral("view/follow-level");
+const QString kGrid = QStringLiteral("view/grid");
+const QString kRejected = QStringLiteral("view/rejected");
+const QString kSpeed = QStringLiteral("walk/speed");
+const QString kRecordings = QStringLiteral("walk/recording-folder");
+const QString kGeometry = QStringLiteral("window/geometry");
+
+const QStringList kDirectionNames{QStringLiteral("left-right"), QStringLiteral("clock"), QStringLiteral("degrees")};
+const QStringList kVerbosityNames{QStringLiteral("directions"), QStringLiteral("objects"),
+                                  QStringLiteral("objects-and-texts")};
+
+QString recentKey(RecentKind kind) {
+    switch (kind) {
+    case RecentKind::Map: return QStringLiteral("recent/maps");
+    case RecentKind::Library: return QStringLiteral("recent/libraries");
+    case RecentKind::Source: break;
+    }
+    return QStringLiteral("recent/sources");
+}
+
+double numberIn(const QSettings& store, const QString& key, double fallback, double low, double high) {
+    bool fine = false;
+    const double value = store.value(key, fallback).toDouble(&fine);
+    return fine && std::isfinite(value) ? std::clamp(value, low, high) : fallback;
+}
+
+template <class Enum>
+Enum choiceIn(const QSettings& store, const QString& key, const QStringList& names, Enum fallback) {
+    const qsizetype index = names.indexOf(store.value(key).toString());
+    return index < 0 ? fallback : static_cast<Enum>(index);
+}
+
+} // namespace
+
+Settings::Settings(const QString& file, QObject* parent)
+    : QObject(parent),
+      m_store(file.isEmpty()
+                  ? std::make_unique<QSettings>(QSettings::IniFormat, QSettings::UserScope, QStringLiteral("farol"),
+                                                QStringLiteral("farol"))
+                  : std::make_unique<QSettings>(file, QSettings::IniFormat)) {}
+
+template <class T>
+bool Settings::store(const QString& key, const T& value) {
+    const QVariant variant = QVariant::fromValue(value);
+    if (m_store->value(key) == variant) return false;
+    m_store->setValue(key, variant);
+    return true;
+}
+
+QString Settings::language() const {
+    const QString language = m_store->value(kLanguage).toString();
+    return language == QLatin1String("en") || language == QLatin1String("pt") ? language : QString();
+}
+
+void Settings::setLanguage(const QString& language) {
+    if (store(kLanguage, language)) Q_EMIT languageChanged();
+}
+
+VoiceChoice Settings::voice() const {
+    VoiceChoice choice;
+    choice.engine = m_store->value(kEngine).toString();
+    choice.voice = m_store->value(kVoice).toString();
+    choice.rate = numberIn(*m_store, kRate, 0.0, -1.0, 1.0);
+    choice.volume = numberIn(*m_store, kVolume, 1.0, 0.0, 1.0);
+    choice.language = language();
+    return choice;
+}
+
+void Settings::setVoice(const VoiceChoice& voice) {
+    bool changed = store(kEngine, voice.engine);
+    changed = store(kVoice, voice.voice) || changed;
+    changed = store(kRate, voice.rate) || changed;
+    changed = store(kVolume, voice.volume) || changed;
+    if (changed) Q_EMIT voiceChanged();
+}
+
+bool Settings::muted() const { return m_store->value(kMuted, false).toBool(); }
+
+void Settings::setMuted(bool muted) {
+    if (store(kMuted, muted)) Q_EMIT mutedChanged(muted);
+}
+
+DirectionStyle Settings::directionStyle() const {
+    return choiceIn(*m_store, kDirections, kDirectionNames, DirectionStyle::LeftRight);
+}
+
+void Settings::setDirectionStyle(DirectionStyle style) {
+    if (store(kDirections, kDirectionNames.at(static_cast<int>(style)))) Q_EMIT guidanceChanged();
+}
+
+guidance::Verbosity Settings::verbosity() const {
+    return choiceIn(*m_store, kVerbosity, kVerbosityNames, guidance::Verbosity::Objects);
+}
+
+void Settings::setVerbosity(guidance::Verbosity verbosity) {
+    if (store(kVerbosity, kVerbosityNames.at(static_cast<int>(verbosity)))) Q_EMIT guidanceChanged();
+}
+
+bool Settings::followLevel() const { return m_store->value(kFollow, true).toBool(); }
+
+void Settings::setFollowLevel(bool follow) {
+    if (store(kFollow, follow)) Q_EMIT displayChanged();
+}
+
+bool Settings::showGrid() const { return m_store->value(kGrid, true).toBool(); }
+
+void Settings::setShowGrid(bool show) {
+    if (store(kGrid, show)) Q_EMIT displayChanged();
+}
+
+bool Settings::showRejected() const { return m_store->value(kRejected, false).toBool(); }
+
+void Settings::setShowRejected(bool show) {
+    if (store(kRejected, show)) Q_EMIT displayChanged();
+}
+
+double Settings::speed() const { return numberIn(*m_store, kSpeed, 1.0, 0.25, 8.0); }
+
+void Settings::setSpeed(double speed) { store(kSpeed, std::clamp(speed, 0.25, 8.0)); }
+
+QString Settings::recordingFolder() const {
+    const QString folder = m_store->value(kRecordings).toString();
+    if (!folder.isEmpty()) return folder;
+    const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+    return QDir(documents.isEmpty() ? QDir::homePath() : documents).filePath(QStringLiteral("Farol"));
+}
+
+void Settings::setRecordingFolder(const QString& folder) { store(kRecordings, folder); }
+
+QStringList Settings::recent(RecentKind kind) const {
+    QStringList items = m_store->value(recentKey(kind)).toStringList();
+    items.removeAll(QString());
+    return items.mid(0, kRecentItems);
+}
+
+void Settings::addRecent(RecentKind kind, const QString& item) {
+    if (item.isEmpty()) return;
+    QStringList items = recent(kind);
+    items.removeAll(item);
+    items.prepend(item);
+    if (store(recentKey(kind), QStringList(items.mid(0, kRecentItems)))) Q_EMIT recentChanged();
+}
+
+void Settings::clearRecent(RecentKind kind) {
+    m_store->remove(recentKey(kind));
+    Q_EMIT recentChanged();
+}
+
+QByteArray Settings::windowGeometry() const { return m_store->value(kGeometry).toByteArray(); }
+void Settings::setWindowGeometry(const QByteArray& geometry) { store(kGeometry, geometry); }
+
+QByteArray Settings::splitter(const QString& name) const {
+    return m_store->value(QStringLiteral("window/splitter-") + name).toByteArray();
+}
+
+void Settings::setSplitter(const QString& name, const QByteArray& state) {
+    store(QStringLiteral("window/splitter-") + name, state);
+}
+
+} // namespace farol::ui

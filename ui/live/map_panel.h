@@ -1,0 +1,63 @@
+#pragma once
+// The floor map with its level switch, and one line in words: where one is and how sure that is.
+
+#include "core/session/percept.h"
+#include "ui/map/map_view.h"
+
+#include <QWidget>
+
+#include <memory>
+
+class QCheckBox;
+class QComboBox;
+class QLabel;
+class QToolButton;
+
+namespace farol::ui {
+
+class MapPanel : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit MapPanel(QWidget* parent = nullptr);
+
+    void setBuilding(const std::shared_ptr<const building::Building>& building);
+    void show(const std::shared_ptr<const session::Snapshot>& snapshot); ///< null: nothing yet
+    void setDestination(const std::optional<RegionId>& destination);
+    void setFollow(bool follow);
+    bool follow() const;
+    MapView& view() { return *m_view; }
+    QString whereText() const;
+
+Q_SIGNALS:
+    void followChanged(bool follow);
+    void destinationWanted(const farol::RegionId& region);
+    void startWanted(const farol::RegionId& region);
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void retranslate();
+    void fillLevels();
+    void levelPicked(int row);
+    void openMenu(const MapHit& hit, const QPoint& at);
+    QString describe(const MapHit& hit) const;
+    QString where() const;
+    std::optional<RegionId> regionOf(const MapHit& hit) const;
+
+    std::shared_ptr<const building::Building> m_building;
+    std::shared_ptr<const session::Snapshot> m_snapshot;
+    std::optional<RegionId> m_destination;
+    MapView* m_view;
+    QLabel* m_title;
+    QLabel* m_levelLabel;
+    QComboBox* m_levels;
+    QCheckBox* m_follow;
+    QToolButton* m_zoomIn;
+    QToolButton* m_zoomOut;
+    QToolButton* m_fit;
+    QLabel* m_where;
+};
+
+} // namespace farol::ui

@@ -1,0 +1,62 @@
+#include "ui/live/tables.h"
+
+#include "ui/convert/kind_style.h"
+#include "ui/map/map_colours.h"
+#include "ui/models/vote_model.h"
+
+#include <QHeaderView>
+#include <QLabel>
+#include <QPainter>
+#include <QTableView>
+
+namespace farol::ui {
+
+QLabel* panelTitle(QWidget* parent) {
+    auto* label = new QLabel(parent);
+    QFont font = label->font();
+    font.setBold(true);
+    label->setFont(font);
+    label->setTextFormat(Qt::PlainText);
+    return label;
+}
+
+QTableView* panelTable(QAbstractItemModel* model, int stretched, QWidget* parent) {
+    auto* table = new QTableView(parent);
+    table->setModel(model);
+    table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    table->setSelectionMode(QAbstractItemView::SingleSelection);
+    table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    table->setTabKeyNavigation(false);
+    table->setShowGrid(false);
+    table->setAlternatingRowColors(true);
+    table->setWordWrap(false);
+    table->setTextElideMode(Qt::ElideRight);
+    table->setCornerButtonEnabled(false);
+    table->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+    table->verticalHeader()->hide();
+    table->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+    table->verticalHeader()->setDefaultSectionSize(table->fontMetrics().height() + 8);
+    QHeaderView* header = table->horizontalHeader();
+    header->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    header->setHighlightSections(false);
+    header->setSectionResizeMode(QHeaderView::ResizeToContents);
+    header->setSectionResizeMode(stretched, QHeaderView::Stretch);
+    table->setMinimumSize(180, 90);
+    return table;
+}
+
+void ShareBarDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const {
+    const double share = index.data(VoteModel::ShareRole).toDouble();
+    if (!(option.state & QStyle::State_Selected) && share > 0.0) {
+        QRectF bar = QRectF(option.rect).adjusted(2, 3, -2, -3);
+        bar.setLeft(bar.right() - bar.width() * share);
+        painter->save();
+        painter->setPen(Qt::NoPen);
+        painter->setBrush(MapColours::of(isDark(option.palette)).heat(0.25 + 0.75 * share));
+        painter->drawRoundedRect(bar, 2, 2);
+        painter->restore();
+    }
+    QStyledItemDelegate::paint(painter, option, index);
+}
+
+} // namespace farol::ui

@@ -1,0 +1,28 @@
+#pragma once
+// The look that all panels and tables of the page share.
+
+#include <QStyledItemDelegate>
+
+class QAbstractItemModel;
+class QLabel;
+class QTableView;
+class QWidget;
+
+namespace farol::ui {
+
+/// A panel's heading.
+QLabel* panelTitle(QWidget* parent);
+/// A read-only table whose rows are chosen as a whole and which Tab leaves. `stretched`: the column that takes what
+/// room is left.
+QTableView* panelTable(QAbstractItemModel* model, int stretched, QWidget* parent);
+
+/// A bar behind the figure, as long as the share of the best vote.
+class ShareBarDelegate : public QStyledItemDelegate {
+    Q_OBJECT
+
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+    void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
+};
+
+} // namespace farol::ui

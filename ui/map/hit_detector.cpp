@@ -1,0 +1,59 @@
+#include "ui/map/hit_detector.h"
+
+#include <cmath>
+
+namespace farol::ui {
+
+namespace {
+
+double pixelsBetween(QPointF a, QPointF b) { return std::hypot(a.x() - b.x(), a.y() - b.y()); }
+
+} // namespace
+
+std::optional<MapHit> hitAt(QPointF screen, const MapScene& scene, double level, const ViewTransform& view,
+                            double tolerancePx) {
+    const LevelScene* floor = scene.level(level);
+    if (!floor) return std::nullopt;
+
+    double best = tolerancePx;
+    std::optional<MapHit> hit;
+    const auto offer = [&](double gap, MapHit candidate) {
+        if (gap > best) return;
+        best = gap;
+        hit = candidate;
+    };
+    for (const std::size_t index : floor->landmarks)
+        offer(pixelsBetween(screen, view.screenFromMap(scene.building().landmarks()[index].position)),
+              {MapHit::What::Landmark, index});
+    if (hit) return hit;
+    for (const AccessShape& access : floor->accesses)
+        offer(pixelsBetween(screen, view.screenFromMap(access.middle)), {MapHit::What::Access, access.index});
+    if (hit) return hit;
+
+    const Point2 point = view.mapFromScreen(screen);
+    for (auto shape = floor->regions.rbegin(); shape != floor->regions.rend(); ++shape) // the smallest is last
+        if (contains(scene.building().regions()[shape->index].polygon, point))
+            return MapHit{MapHit::What::Region, shape->index};
+    return std::nullopt;
+}
+
+Point2 positionOf(const MapHit& hit, const MapScene& scene) {
+    const building::Building& building = scene.building();
+    switch (hit.what) {
+    case MapHit::What::Landmark: return building.landmarks()[hit.index].position;
+    case MapHit::What::Access: return building.accesses()[hit.index].midpoint();
+    case MapHit::What::Region: break;
+    }
+    return pointInside(building.regions()[hit.index].polygon);
+}
+
+double levelOf(const MapHit& hit, const building::Building& building) {
+    switch (hit.what) {
+    case MapHit::What::Landmark: return building.landmarks()[hit.index].level;
+    case MapHit::What::Access: return building.accesses()[hit.index].level;
+    case MapHit::What::Region: break;
+    }
+    return building.regions()[hit.index].level;
+}
+
+} // namespace farol::ui

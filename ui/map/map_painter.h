@@ -1,0 +1,46 @@
+#pragma once
+// Draws a level: the parts that stay (two cached pictures: below and above the tint) and the light ones that change.
+
+#include "ui/map/hit_detector.h"
+#include "ui/map/map_colours.h"
+#include "ui/map/map_overlay.h"
+#include "ui/map/map_scene.h"
+#include "ui/map/view_transform.h"
+
+#include <QFont>
+
+class QPainter;
+
+namespace farol::ui {
+
+class MapPainter {
+public:
+    MapPainter(const MapScene& scene, double level, const ViewTransform& view, const MapColours& colours, QFont font);
+
+    void paintGround(QPainter& painter) const;   ///< floors
+    void paintTint(QPainter& painter, const MapOverlay& overlay) const;
+    void paintFurnishing(QPainter& painter) const; ///< borders, walls, accesses, landmarks, names
+    void paintOverlay(QPainter& painter, const MapOverlay& overlay) const; ///< route, destination, where one is
+    void paintSelection(QPainter& painter, const MapHit& hit, bool strong) const;
+    /// A few words and a scale in the lower left corner.
+    void paintLegend(QPainter& painter, const QString& unlikely, const QString& likely) const;
+
+private:
+    void paintAccess(QPainter& painter, const AccessShape& shape) const;
+    void paintLandmark(QPainter& painter, const building::Landmark& landmark) const;
+    void paintNames(QPainter& painter) const;
+    void paintRoute(QPainter& painter, const MapOverlay& overlay) const;
+    void paintArrows(QPainter& painter, const QPolygonF& line) const;
+    void paintPlaceMark(QPainter& painter, const MapOverlay& overlay) const;
+    void paintPin(QPainter& painter, const RegionId& region, const QColor& colour) const;
+    void paintText(QPainter& painter, QPointF centre, const QString& text) const;
+    QPointF screen(Point2 p) const { return m_view.screenFromMap(p); }
+
+    const MapScene& m_scene;
+    const LevelScene* m_level;
+    const ViewTransform& m_view;
+    const MapColours& m_colours;
+    QFont m_font;
+};
+
+} // namespace farol::ui

@@ -1,0 +1,29 @@
+#pragma once
+// Narrows the places down while one types: every word must occur, whatever its case and accents.
+
+#include <QSortFilterProxyModel>
+#include <QStringList>
+
+namespace farol::ui {
+
+/// Best first: the whole name, then names that begin with the text, then the rest in the model's order.
+class RegionFilter : public QSortFilterProxyModel {
+    Q_OBJECT
+
+public:
+    explicit RegionFilter(QObject* parent = nullptr);
+
+    void setTyped(const QString& text);
+
+protected:
+    bool filterAcceptsRow(int row, const QModelIndex& parent) const override;
+    bool lessThan(const QModelIndex& left, const QModelIndex& right) const override;
+
+private:
+    int rank(const QModelIndex& index) const;
+
+    QString m_folded;
+    QStringList m_words;
+};
+
+} // namespace farol::ui

@@ -1,0 +1,77 @@
+#pragma once
+// What the user chose, kept between runs. Typed: nobody else reads QSettings.
+
+#include "core/guidance/cue_scheduler.h"
+#include "ui/speech/phrasebook.h"
+#include "ui/speech/speech_output.h"
+
+#include <QByteArray>
+#include <QObject>
+#include <QSettings>
+#include <QString>
+#include <QStringList>
+
+#include <memory>
+
+namespace farol::ui {
+
+enum class RecentKind { Map, Library, Source };
+
+/// GUI thread. Values that a file holds but this program does not know fall back to the default.
+class Settings : public QObject {
+    Q_OBJECT
+
+public:
+    /// `file` empty: the user's own settings. Tests give a file.
+    explicit Settings(const QString& file = {}, QObject* parent = nullptr);
+
+    /// "en" or "pt"; empty: as the system says.
+    QString language() const;
+    void setLanguage(const QString& language);
+    VoiceChoice voice() const;
+    void setVoice(const VoiceChoice& voice);
+    bool muted() const;
+    void setMuted(bool muted);
+    DirectionStyle directionStyle() const;
+    void setDirectionStyle(DirectionStyle style);
+    guidance::Verbosity verbosity() const;
+    void setVerbosity(guidance::Verbosity verbosity);
+
+    bool followLevel() const;
+    void setFollowLevel(bool follow);
+    bool showGrid() const;
+    void setShowGrid(bool show);
+    bool showRejected() const;
+    void setShowRejected(bool show);
+    double speed() const; ///< of playing, 0.25 to 8
+    void setSpeed(double speed);
+    QString recordingFolder() const; ///< where recordings are put; never empty
+    void setRecordingFolder(const QString& folder);
+
+    /// Newest first, at most eight, each once.
+    QStringList recent(RecentKind kind) const;
+    void addRecent(RecentKind kind, const QString& item);
+    void clearRecent(RecentKind kind);
+
+    QByteArray windowGeometry() const;
+    void setWindowGeometry(const QByteArray& geometry);
+    QByteArray splitter(const QString& name) const;
+    void setSplitter(const QString& name, const QByteArray& state);
+    void sync() { m_store->sync(); }
+
+Q_SIGNALS:
+    void languageChanged();
+    void voiceChanged();
+    void mutedChanged(bool muted);
+    void guidanceChanged(); ///< direction style or verbosity
+    void displayChanged();  ///< grid, rejected candidates, following
+    void recentChanged();
+
+private:
+    template <class T>
+    bool store(const QString& key, const T& value);
+
+    std::unique_ptr<QSettings> m_store;
+};
+
+} // namespace farol::ui

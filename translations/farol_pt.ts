@@ -55,6 +55,15 @@
         <source>First, probably</source>
         <translation>Primeiro, provavelmente</translation>
     </message>
+    <message>
+        <source>Then</source>
+        <translation>Depois</translation>
+    </message>
+    <message>
+        <source>Probably %1 first.</source>
+        <extracomment>%1 &quot;turn left&quot;, &quot;turn around&quot;</extracomment>
+        <translation>Primeiro, talvez: %1.</translation>
+    </message>
     <message numerus="yes">
         <source>In about %n metre(s)</source>
         <comment>then what is there</comment>

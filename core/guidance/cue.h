@@ -48,6 +48,9 @@ struct Cue {
     std::optional<routing::Manoeuvre> manoeuvre; ///< of RouteStart (the first), Prepare, Act
     std::optional<routing::Manoeuvre> next;      ///< to be told in the same breath
     std::optional<int> hour;          ///< clock hour to the next access; only when the heading is trusted
+    /// Where a way begins behind or beside the user: how far to turn first, left positive. Only when a trained place
+    /// has just told which way the user faces; `hour` is then empty, for it would no longer hold after the turn.
+    std::optional<Radians> turnFirst;
     std::optional<double> distanceM;  ///< only when the position allows to say it
     RegionId region;                  ///< RouteStart, Arrived: destination; Located: where; others: region ahead
     std::string regionName;           ///< spoken name of `region`

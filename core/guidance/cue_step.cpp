@@ -35,6 +35,10 @@ constexpr double kActSeconds = 4.0, kPrepareSeconds = 6.0, kStartSeconds = 15.0,
                  kArrivalSeconds = 20.0, kOffRouteSeconds = 8.0, kUnsureSeconds = 6.0, kLocatedSeconds = 6.0,
                  kDetectionSeconds = 3.0, kTextSeconds = 4.0, kRefusalSeconds = 20.0;
 constexpr double kSureScore = 0.5;
+/// The first point of a way that is this far off tells in which direction it begins.
+constexpr double kFacingM = 1.0;
+/// Below, the user faces the way well enough to just walk.
+constexpr Radians kTurnFirst = fromDegrees(60.0);
 
 bool changesLevel(ManoeuvreKind kind) {
     return kind == ManoeuvreKind::Stairs || kind == ManoeuvreKind::Elevator || kind == ManoeuvreKind::Escalator;
@@ -122,6 +126,23 @@ std::optional<int> CueStep::hourTo(const Manoeuvre& manoeuvre) const {
     return clockHour(directionOf(ahead) - *m_fix.heading);
 }
 
+/// How far the user has to turn to face the way that begins here. Only a trained place tells which way one faces; the
+/// way of walking from two rough positions is no ground for such an order.
+std::optional<Radians> CueStep::turnFirst() const {
+    if (!m_usable || !m_fix.heading || !m_fix.position || age() > kFreshSeconds || !m_progress.route) return std::nullopt;
+    const building::Landmark* seen = m_building.landmark(m_fix.landmark);
+    if (seen == nullptr || seen->kind != Kind::Place) return std::nullopt;
+    const std::vector<routing::PathPoint>& path = m_progress.route->path;
+    for (const routing::PathPoint& point : path) {
+        if (point.level != path.front().level || point.level != m_fix.level) return std::nullopt;
+        Point2 ahead = point.position - path.front().position;
+        if (length(ahead) < kFacingM) continue;
+        Radians turn = wrapped(directionOf(ahead) - *m_fix.heading);
+        return std::abs(turn.value) >= kTurnFirst.value ? std::optional(turn) : std::nullopt;
+    }
+    return std::nullopt;
+}
+
 /// A cue about a manoeuvre: what it leads into, what follows at once, and where it still holds.
 void CueStep::addManoeuvre(Cue cue, const Manoeuvre& manoeuvre, const std::optional<Manoeuvre>& after) {
     cue.manoeuvre = manoeuvre;
@@ -201,6 +222,7 @@ void CueStep::tellStart() {
     nameRegion(cue, m_progress.destination);
     double length = m_progress.route->lengthM;
     if (m_fix.position || length >= kLongWayM) cue.distanceM = length;
+    cue.turnFirst = turnFirst();
     if (m_progress.next) addManoeuvre(std::move(cue), *m_progress.next, m_progress.afterNext);
     else add(std::move(cue));
 }
@@ -214,6 +236,7 @@ void CueStep::tellOffRoute() {
     Cue cue = toldNow ? routeCue(CueKind::Prepare, CuePriority::Prepare, kPrepareSeconds)
                       : routeCue(CueKind::OffRoute, CuePriority::OffRoute, kOffRouteSeconds);
     if (!toldNow) m_memory.offRouteToldAt = m_fix.time;
+    cue.turnFirst = turnFirst();
     if (m_progress.next) addManoeuvre(std::move(cue), *m_progress.next, m_progress.afterNext);
     else if (!toldNow) add(std::move(cue));
 }

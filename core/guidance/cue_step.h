@@ -62,6 +62,7 @@ private:
     void nameRegion(Cue& cue, const RegionId& region) const;
     std::string levelName(double ordinal, bool asOnButtons) const;
     std::optional<double> legLength(const routing::Manoeuvre& manoeuvre) const;
+    std::optional<Radians> turnFirst() const;
     std::optional<int> hourTo(const routing::Manoeuvre& manoeuvre) const;
     std::string keyOf(const routing::Manoeuvre& manoeuvre) const;
     bool toldRecently(const std::map<std::string, double>& times, const std::string& key, double seconds) const;

@@ -34,7 +34,9 @@ struct Fix {
     std::optional<double> level;
     std::optional<Point2> position;  ///< of the matched object, metres
     double sigmaM = 0.0;             ///< standard deviation of `position`; 0 when there is none
-    std::optional<Radians> heading;  ///< way of walking from the last two positions
+    /// The way the user faces: the camera's own where a trained place was recognised, else the way of walking from the
+    /// last two positions.
+    std::optional<Radians> heading;
     std::vector<RegionVote> votes;   ///< highest first, zero votes left out
     LandmarkId landmark;             ///< what `position` rests on
     std::string note;                ///< why there is no region, or why it is doubtful; for people who supervise

@@ -47,6 +47,7 @@ private:
     void accept(const Ballot& winner, double confidence);
     void refuse(const std::vector<Ballot>& ballots, std::size_t contenders, const std::string& note);
     void placeAt(const Ballot& winner);
+    void followWalking(const Spot& spot);
     void findNear(const std::vector<Ballot>& ballots, double support);
     void publishVotes(const std::vector<Ballot>& ballots);
     double decayFactor() const { return std::exp2(-(m_now - m_fix.evidenceTime) / m_options.halfLifeSeconds); }
@@ -221,21 +222,25 @@ void VotingLocaliser::placeAt(const Ballot& winner) {
     m_fix.position = m_situation.position = object.position;
     m_fix.sigmaM = object.kind == Kind::Place ? m_options.placeSigmaM : m_options.objectSigmaM;
     m_fix.landmark = object.id;
-    Spot spot{object.position, *m_fix.level, m_now};
+    followWalking({object.position, *m_fix.level, m_now});
+    bool looksAlong = m_options.headingFromPlaces && object.kind == Kind::Place && object.heading.has_value();
+    m_fix.heading = looksAlong ? object.heading : m_walking;
+}
+
+/// The paper's direction vector, from the last position to this one.
+void VotingLocaliser::followWalking(const Spot& spot) {
     if (!m_spot || m_spot->level != spot.level) {
         m_spot = spot;
         m_walking.reset();
         return;
     }
     double step = distance(m_spot->position, spot.position);
-    if (step >= m_options.headingDistanceM) {
-        double reach = m_options.headingMaxSpeed * (spot.time - m_spot->time) + m_options.headingDistanceM;
-        bool walked = m_options.headingMaxSpeed <= 0.0 || step <= reach;
-        m_walking.reset();
-        if (walked) m_walking = directionOf(spot.position - m_spot->position);
-        m_spot = spot;
-    }
-    m_fix.heading = m_walking;
+    if (step < m_options.headingDistanceM) return;
+    double reach = m_options.headingMaxSpeed * (spot.time - m_spot->time) + m_options.headingDistanceM;
+    bool walked = m_options.headingMaxSpeed <= 0.0 || step <= reach;
+    m_walking.reset();
+    if (walked) m_walking = directionOf(spot.position - m_spot->position);
+    m_spot = spot;
 }
 
 void VotingLocaliser::findNear(const std::vector<Ballot>& ballots, double support) {
@@ -284,6 +289,7 @@ VotingOptions VotingOptions::literal() {
     options.doubtfulMargin = 0.0;
     options.genericsToOverrule = 1;
     options.headingMaxSpeed = 0.0;
+    options.headingFromPlaces = false;
     return options;
 }
 

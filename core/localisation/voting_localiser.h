@@ -45,6 +45,7 @@ struct VotingOptions {
     double placeSigmaM = 1.5, objectSigmaM = 2.0; ///< ours: how far the user is from what was seen
     double headingDistanceM = 1.0;     ///< ours: closer positions give no direction
     double headingMaxSpeed = 2.0;      ///< ours: m/s; farther apart they are two objects seen from one spot; 0: any
+    bool headingFromPlaces = true;     ///< ours: a view of the spot itself tells which way the camera looks
     std::size_t votesKept = 40;        ///< the highest votes of a fix; the others are counted but not handed on
 
     static VotingOptions literal();

@@ -145,6 +145,7 @@ void addCueSubject(Json& json, const guidance::Cue& cue) {
     if (cue.manoeuvre) json["manoeuvre"] = manoeuvreJson(*cue.manoeuvre);
     if (cue.next) json["next"] = manoeuvreJson(*cue.next);
     if (cue.hour) json["hour"] = *cue.hour;
+    if (cue.turnFirst) json["turn_first_deg"] = degreesJson(*cue.turnFirst);
     if (cue.distanceM) json["distance_m"] = printedNumber(*cue.distanceM);
     addText("region", cue.region.value);
     addText("region_name", cue.regionName);

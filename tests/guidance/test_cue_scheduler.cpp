@@ -50,6 +50,45 @@ TEST(CueScheduler, StartOfTheRouteNamesDestinationAndFirstManoeuvre) {
     EXPECT_TRUE(walk.cues.empty());
 }
 
+/// A place seen in the middle of a corridor that runs east; the library lies to the west.
+const Cue* startFacing(Guided& walk, double headingDegrees, Kind kind) {
+    walk.tracker.setDestination(at("A"));
+    walk.seen("K", '5');
+    walk.tracker.setDestination(at("B"));
+    walk.tracker.setDestination(at("A"));
+    for (const building::Landmark& landmark : walk.building->landmarks()) {
+        if (landmark.kind == kind) walk.fix.landmark = landmark.id;
+    }
+    walk.fix.heading = fromDegrees(headingDegrees);
+    walk.time += 1.0;
+    walk.fix.evidenceTime = walk.time;
+    walk.later(0.0);
+    return walk.find(CueKind::RouteStart);
+}
+
+AsciiMap corridorWithPlace() {
+    return test::corridorMap().landmark('5', {Kind::Place, {}, "p5"}).landmark('4', {Kind::Poster});
+}
+
+TEST(CueScheduler, TurnsTheUserRoundWhenTheWayBeginsBehind) {
+    Guided walk(corridorWithPlace());
+    const Cue* start = startFacing(walk, 0.0, Kind::Place);
+    ASSERT_NE(start, nullptr);
+    ASSERT_TRUE(start->turnFirst.has_value());
+    EXPECT_GT(std::abs(toDegrees(*start->turnFirst)), 120.0);
+}
+
+TEST(CueScheduler, SaysNothingOfTurningWhenTheWayIsAheadOrTheFacingIsAGuess) {
+    Guided ahead(corridorWithPlace());
+    const Cue* start = startFacing(ahead, 180.0, Kind::Place);
+    ASSERT_NE(start, nullptr);
+    EXPECT_FALSE(start->turnFirst.has_value());
+    Guided guess(corridorWithPlace());
+    start = startFacing(guess, 0.0, Kind::Poster);
+    ASSERT_NE(start, nullptr);
+    EXPECT_FALSE(start->turnFirst.has_value()) << "two rough positions do not tell which way one faces";
+}
+
 TEST(CueScheduler, PreparesAtSixMetresAndActsAtTwo) {
     Guided walk(longCorridor());
     walk.tracker.setDestination(at("B"));

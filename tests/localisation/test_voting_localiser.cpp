@@ -108,6 +108,25 @@ TEST(VotingLocaliser, PlaceGivesPositionAndWalkingDirection) {
     EXPECT_LE(second.confidence, 1.0);
 }
 
+TEST(VotingLocaliser, APlaceWithADirectionTellsWhichWayTheUserFacesAtOnce) {
+    auto map = AsciiMap()
+                   .floor("+--------+\n|A 1   2 |\n|        |\n+--------+")
+                   .landmark('1', {Kind::Place, {}, "p1", 90.0})
+                   .landmark('2', {Kind::Place, {}, "p2", 90.0})
+                   .build();
+    Walk walk(map);
+    walk.start("A");
+    Fix first = walk.see(place("p1"));
+    ASSERT_TRUE(first.heading.has_value());
+    EXPECT_NEAR(toDegrees(*first.heading), 90.0, 1e-9);
+    EXPECT_NEAR(toDegrees(*walk.see(place("p2")).heading), 90.0, 1e-9) << "sideways steps do not turn the camera";
+
+    Walk literal(map, VotingOptions::literal());
+    literal.start("A");
+    EXPECT_FALSE(literal.see(place("p1")).heading.has_value());
+    EXPECT_NEAR(toDegrees(*literal.see(place("p2")).heading), 0.0, 1e-9) << "the paper knows displacement only";
+}
+
 TEST(VotingLocaliser, TwoObjectsSeenFromOneSpotAreNoWalk) {
     Walk walk(corridor());
     walk.secondsBetween = 0.1;

@@ -69,6 +69,11 @@ void addStarts(std::vector<NamedCue>& list) {
     Cue door = with(cueOf(CueKind::RouteStart, at(ManoeuvreKind::Door, 90), "Corridor B"), 9, 42.0);
     door.regionName = "Library";
     list.push_back({"start, door", door, true});
+    Cue behind = with(door, std::nullopt, 42.0);
+    behind.turnFirst = fromDegrees(178);
+    list.push_back({"start, behind", behind, true});
+    behind.turnFirst = fromDegrees(-90);
+    list.push_back({"start, to the right, unsure", unsure(behind), true});
     Cue blind = with(door, std::nullopt);
     list.push_back({"start, door, no direction, no length", blind, false});
     list.push_back({"start, door, unsure", unsure(door), false});
@@ -151,6 +156,9 @@ void addState(std::vector<NamedCue>& list) {
     list.push_back({"off route", cueOf(CueKind::OffRoute), false});
     list.push_back({"off route, unsure", unsure(cueOf(CueKind::OffRoute)), false});
     list.push_back({"off route, new way", with(cueOf(CueKind::OffRoute, at(ManoeuvreKind::Door, -90), "Hall"), 5), true});
+    Cue back = cueOf(CueKind::OffRoute, at(ManoeuvreKind::Opening, -90), "Hall");
+    back.turnFirst = fromDegrees(-175);
+    list.push_back({"off route, new way behind", back, false});
     list.push_back({"off route, new way, turn", cueOf(CueKind::OffRoute, at(ManoeuvreKind::Turn, 180)), false});
     list.push_back({"off route, no way", about(CueKind::OffRoute, "Library", CueReason::DestinationUnreachable), false});
     list.push_back({"unsure", cueOf(CueKind::Unsure), false});

@@ -49,8 +49,18 @@ QString Phrasebook::routeStart(const Cue& cue) const {
         first.next.reset();
     }
     if (!first.manoeuvre) return spoken::joined(sentences);
-    sentences << announcedFirst(first, cue.sure ? tr("First") : tr("First, probably"), *first.manoeuvre);
+    const QString turning = facing(cue);
+    const QString opener = !turning.isEmpty() ? tr("Then") : cue.sure ? tr("First") : tr("First, probably");
+    sentences << turning << announcedFirst(first, opener, *first.manoeuvre);
     return spoken::joined(sentences);
+}
+
+/// Which way to turn before the way begins: only when the cue knows which way the user faces.
+QString Phrasebook::facing(const Cue& cue) const {
+    if (!cue.turnFirst) return {};
+    if (cue.sure) return spoken::sentence(turnWords(*cue.turnFirst));
+    //: %1 "turn left", "turn around"
+    return tr("Probably %1 first.").arg(turnWords(*cue.turnFirst));
 }
 
 QString Phrasebook::prepare(const Cue& cue) const {
@@ -59,7 +69,7 @@ QString Phrasebook::prepare(const Cue& cue) const {
     const QString opener = metres > 0 ? tr("In about %n metre(s)", "then what is there", metres)
                          : cue.sure   ? tr("Soon")
                                       : tr("Soon, probably");
-    return announced(cue, opener, *cue.manoeuvre);
+    return spoken::joined({facing(cue), announced(cue, opener, *cue.manoeuvre)});
 }
 
 QString Phrasebook::reassure(const Cue& cue) const {
@@ -80,7 +90,9 @@ QString Phrasebook::offRoute(const Cue& cue) const {
         return spoken::joined({left, tr("Stop. I know no way from here.")});
     }
     if (!cue.manoeuvre) return spoken::joined({left, tr("Stop for a moment.")});
-    return spoken::joined({left, announcedFirst(cue, tr("From here"), *cue.manoeuvre)});
+    const QString turning = facing(cue);
+    const QString opener = turning.isEmpty() ? tr("From here") : tr("Then");
+    return spoken::joined({left, turning, announcedFirst(cue, opener, *cue.manoeuvre)});
 }
 
 QString Phrasebook::located(const Cue& cue) const {

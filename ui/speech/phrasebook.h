@@ -50,6 +50,7 @@ private:
     QString announcedFirst(const guidance::Cue& cue, const QString& opener, const Manoeuvre& manoeuvre) const;
     QString tail(const guidance::Cue& cue, const Manoeuvre& manoeuvre) const;
 
+    QString facing(const guidance::Cue& cue) const;
     QString routeStart(const guidance::Cue& cue) const;
     QString prepare(const guidance::Cue& cue) const;
     QString act(const guidance::Cue& cue) const;

@@ -2,6 +2,43 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
+    <name>farol::ui::FramePanel</name>
+    <message numerus="yes">
+        <source>%n left out because late</source>
+        <translation>
+            <numerusform>%n left out because late</numerusform>
+            <numerusform>%n left out because late</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n unreadable</source>
+        <translation>
+            <numerusform>%n unreadable</numerusform>
+            <numerusform>%n unreadable</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::InstructionPanel</name>
+    <message numerus="yes">
+        <source>%n more place(s) to pass</source>
+        <translation>
+            <numerusform>%n more place to pass</numerusform>
+            <numerusform>%n more places to pass</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::MapPanel</name>
+    <message numerus="yes">
+        <source>%n place(s) on the map.</source>
+        <translation>
+            <numerusform>%n place on the map.</numerusform>
+            <numerusform>%n places on the map.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>farol::ui::Phrasebook</name>
     <message numerus="yes">
         <source>In about %n metre(s)</source>
@@ -31,6 +68,36 @@
         <translation>
             <numerusform>About %n metre.</numerusform>
             <numerusform>About %n metres.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::PlaceChooser</name>
+    <message numerus="yes">
+        <source>%n places fit: choose one</source>
+        <translation>
+            <numerusform>%n place fits: choose it</numerusform>
+            <numerusform>%n places fit: choose one</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::VoteModel</name>
+    <message numerus="yes">
+        <source>%n matching object(s)</source>
+        <translation>
+            <numerusform>%n matching object</numerusform>
+            <numerusform>%n matching objects</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::Walk</name>
+    <message numerus="yes">
+        <source>%n remark(s) about the map: %1</source>
+        <translation>
+            <numerusform>%n remark about the map: %1</numerusform>
+            <numerusform>%n remarks about the map: %1</numerusform>
         </translation>
     </message>
 </context>

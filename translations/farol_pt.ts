@@ -33,6 +33,408 @@
     </message>
 </context>
 <context>
+    <name>farol::ui::Banner</name>
+    <message>
+        <source>Note</source>
+        <translation>Nota</translation>
+    </message>
+    <message>
+        <source>Attention</source>
+        <translation>Atenção</translation>
+    </message>
+    <message>
+        <source>Problem</source>
+        <translation>Problema</translation>
+    </message>
+    <message>
+        <source>Close this message</source>
+        <translation>Fechar esta mensagem</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::DetectionModel</name>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>not accepted</source>
+        <translation>não aceite</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>O quê</translation>
+    </message>
+    <message>
+        <source>Name or text</source>
+        <translation>Nome ou texto</translation>
+    </message>
+    <message>
+        <source>Where in the picture</source>
+        <translation>Onde na imagem</translation>
+    </message>
+    <message>
+        <source>Match</source>
+        <translation>Semelhança</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::FloorModel</name>
+    <message>
+        <source>you are here</source>
+        <translation>está aqui</translation>
+    </message>
+    <message>
+        <source>destination</source>
+        <translation>destino</translation>
+    </message>
+    <message>
+        <source>%1 – %2</source>
+        <translation>%1 – %2</translation>
+    </message>
+    <message>
+        <source>closed</source>
+        <translation>fechado</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nome</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>O quê</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>Onde</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::FramePanel</name>
+    <message>
+        <source>What the camera sees</source>
+        <translation>O que a câmara vê</translation>
+    </message>
+    <message>
+        <source>Camera picture</source>
+        <translation>Imagem da câmara</translation>
+    </message>
+    <message>
+        <source>The camera&apos;s picture, with what Farol recognised in it</source>
+        <translation>A imagem da câmara, com o que o Farol reconheceu nela</translation>
+    </message>
+    <message>
+        <source>Picture %1 at %2</source>
+        <translation>Imagem %1, %2</translation>
+    </message>
+    <message>
+        <source>Picture %1 at %2 (%3)</source>
+        <translation>Imagem %1, %2 (%3)</translation>
+    </message>
+    <message>
+        <source>understood in %1 ms</source>
+        <translation>analisada em %1 ms</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n left out because late</source>
+        <translation>
+            <numerusform>%n omitida por atraso</numerusform>
+            <numerusform>%n omitidas por atraso</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n unreadable</source>
+        <translation>
+            <numerusform>%n ilegível</numerusform>
+            <numerusform>%n ilegíveis</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Time from the picture&apos;s arrival to the answer, and how many pictures had to be left out because Farol was still busy with an earlier one</source>
+        <translation>Tempo desde a chegada da imagem até à resposta, e quantas imagens foram omitidas porque o Farol ainda estava ocupado com uma anterior</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::FrameView</name>
+    <message>
+        <source>No picture yet</source>
+        <translation>Ainda sem imagem</translation>
+    </message>
+    <message>
+        <source>Nothing known is in the picture</source>
+        <translation>Não há nada conhecido na imagem</translation>
+    </message>
+    <message>
+        <source>In the picture: %1</source>
+        <translation>Na imagem: %1</translation>
+    </message>
+    <message>
+        <source>Spoken: %1</source>
+        <translation>Dito: %1</translation>
+    </message>
+    <message>
+        <source>%1 · %2 %</source>
+        <translation>%1 · %2 %</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>No picture yet.
+Open a camera, a video or a folder of pictures, then press Play.</source>
+        <translation>Ainda sem imagem.
+Abra uma câmara, um vídeo ou uma pasta de imagens e depois prima Reproduzir.</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::HistoryModel</name>
+    <message>
+        <source>What</source>
+        <translation>O quê</translation>
+    </message>
+    <message>
+        <source>Name or text</source>
+        <translation>Nome ou texto</translation>
+    </message>
+    <message>
+        <source>Where in the picture</source>
+        <translation>Onde na imagem</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Hora</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::InstructionPanel</name>
+    <message>
+        <source>No destination chosen: places are told, no route.</source>
+        <translation>Sem destino escolhido: são ditos os lugares, sem percurso.</translation>
+    </message>
+    <message>
+        <source>The route follows as soon as it is known where you are.</source>
+        <translation>O percurso aparece assim que se souber onde está.</translation>
+    </message>
+    <message>
+        <source>There is no way to the destination. %1</source>
+        <translation>Não há caminho para o destino. %1</translation>
+    </message>
+    <message>
+        <source>At the destination.</source>
+        <translation>No destino.</translation>
+    </message>
+    <message>
+        <source>On the way to %1</source>
+        <translation>A caminho de: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more place(s) to pass</source>
+        <translation>
+            <numerusform>falta passar por %n lugar</numerusform>
+            <numerusform>falta passar por %n lugares</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>next in %1 m</source>
+        <translation>seguinte a %1 m</translation>
+    </message>
+    <message>
+        <source>%1 m to go</source>
+        <translation>faltam %1 m</translation>
+    </message>
+    <message>
+        <source>Off the route</source>
+        <translation>Fora do percurso</translation>
+    </message>
+    <message>
+        <source>Next instruction</source>
+        <translation>Próxima instrução</translation>
+    </message>
+    <message>
+        <source>Open a map to begin.</source>
+        <translation>Abra um mapa para começar.</translation>
+    </message>
+    <message>
+        <source>Ready. Press Play to start the walk.</source>
+        <translation>Pronto. Prima Reproduzir para iniciar o percurso.</translation>
+    </message>
+    <message>
+        <source>Looking around…</source>
+        <translation>A olhar em volta…</translation>
+    </message>
+    <message>
+        <source>Next instruction: %1</source>
+        <translation>Próxima instrução: %1</translation>
+    </message>
+    <message>
+        <source>No sound: %1</source>
+        <translation>Sem som: %1</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::LivePage</name>
+    <message>
+        <source>What was said</source>
+        <translation>O que foi dito</translation>
+    </message>
+    <message>
+        <source>Where it could be</source>
+        <translation>Onde pode ser</translation>
+    </message>
+    <message>
+        <source>Every sentence, when it was due, and what became of it</source>
+        <translation>Cada frase, quando era devida e o que lhe aconteceu</translation>
+    </message>
+    <message>
+        <source>The places that fit what was seen, best first</source>
+        <translation>Os lugares que condizem com o que foi visto, o melhor primeiro</translation>
+    </message>
+    <message>
+        <source>Last seen</source>
+        <translation>Visto por último</translation>
+    </message>
+    <message>
+        <source>The last objects that the place is worked out from</source>
+        <translation>Os últimos objetos a partir dos quais se determina o lugar</translation>
+    </message>
+    <message>
+        <source>In the picture</source>
+        <translation>Na imagem</translation>
+    </message>
+    <message>
+        <source>Everything recognised in the picture shown</source>
+        <translation>Tudo o que foi reconhecido na imagem mostrada</translation>
+    </message>
+    <message>
+        <source>On this floor</source>
+        <translation>Neste piso</translation>
+    </message>
+    <message>
+        <source>The map as a list; press Enter on a place to go there</source>
+        <translation>O mapa em lista; prima Enter num lugar para ir até lá</translation>
+    </message>
+    <message>
+        <source>Lists</source>
+        <translation>Listas</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::MapPanel</name>
+    <message>
+        <source>No map is open.</source>
+        <translation>Não há nenhum mapa aberto.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n place(s) on the map.</source>
+        <translation>
+            <numerusform>%n lugar no mapa.</numerusform>
+            <numerusform>%n lugares no mapa.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Where you are is not known yet.</source>
+        <translation>Ainda não se sabe onde está.</translation>
+    </message>
+    <message>
+        <source>You are in %1, %2: %3.</source>
+        <translation>Está aqui: %1, %2 (%3).</translation>
+    </message>
+    <message>
+        <source>You are in %1: %2.</source>
+        <translation>Está aqui: %1 (%2).</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1 between %2 and %3</source>
+        <translation>%1 entre %2 e %3</translation>
+    </message>
+    <message>
+        <source>%1 (closed)</source>
+        <translation>%1 (fechado)</translation>
+    </message>
+    <message>
+        <source>%1: %2, in %3</source>
+        <translation>%1: %2, em: %3</translation>
+    </message>
+    <message>
+        <source>&amp;Go to %1</source>
+        <translation>&amp;Ir para: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Start at %1</source>
+        <translation>&amp;Começar em: %1</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Mapa</translation>
+    </message>
+    <message>
+        <source>&amp;Level:</source>
+        <translation>&amp;Piso:</translation>
+    </message>
+    <message>
+        <source>Level of the map</source>
+        <translation>Piso do mapa</translation>
+    </message>
+    <message>
+        <source>The floor that the map shows (Page Up and Page Down in the map)</source>
+        <translation>O piso que o mapa mostra (Page Up e Page Down no mapa)</translation>
+    </message>
+    <message>
+        <source>&amp;Follow</source>
+        <translation>S&amp;eguir</translation>
+    </message>
+    <message>
+        <source>Follow</source>
+        <translation>Seguir</translation>
+    </message>
+    <message>
+        <source>Switch to the floor where you are whenever it changes</source>
+        <translation>Mudar para o piso onde está sempre que este mude</translation>
+    </message>
+    <message>
+        <source>Larger (+)</source>
+        <translation>Maior (+)</translation>
+    </message>
+    <message>
+        <source>Smaller (-)</source>
+        <translation>Menor (-)</translation>
+    </message>
+    <message>
+        <source>Show the whole floor (0)</source>
+        <translation>Mostrar o piso inteiro (0)</translation>
+    </message>
+    <message>
+        <source>Floor map</source>
+        <translation>Mapa do piso</translation>
+    </message>
+    <message>
+        <source>Drag to move, turn the wheel to zoom, double-click a place to go there</source>
+        <translation>Arraste para mover, rode a roda para ampliar, faça duplo clique num lugar para ir até lá</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::MapView</name>
+    <message>
+        <source>No map is open.
+Open one with Ctrl+O.</source>
+        <translation>Não há nenhum mapa aberto.
+Abra um com Ctrl+O.</translation>
+    </message>
+    <message>
+        <source>Less likely</source>
+        <translation>Menos provável</translation>
+    </message>
+    <message>
+        <source>More likely</source>
+        <translation>Mais provável</translation>
+    </message>
+</context>
+<context>
     <name>farol::ui::Phrasebook</name>
     <message>
         <source>I am not sure where you are. Stop, and turn slowly to the right, so that I can look around.</source>
@@ -861,6 +1263,59 @@
     </message>
 </context>
 <context>
+    <name>farol::ui::PlaceChooser</name>
+    <message>
+        <source>No such place</source>
+        <translation>Não há tal lugar</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n places fit: choose one</source>
+        <translation>
+            <numerusform>%n lugar condiz: escolha-o</numerusform>
+            <numerusform>%n lugares condizem: escolha um</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>&amp;Go to:</source>
+        <translation>&amp;Ir para:</translation>
+    </message>
+    <message>
+        <source>Start &amp;at:</source>
+        <translation>&amp;Começar em:</translation>
+    </message>
+    <message>
+        <source>Destination</source>
+        <translation>Destino</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Início</translation>
+    </message>
+    <message>
+        <source>type a name or room number</source>
+        <translation>escreva um nome ou número de sala</translation>
+    </message>
+    <message>
+        <source>not known, Farol looks for it</source>
+        <translation>desconhecido, o Farol procura-o</translation>
+    </message>
+    <message>
+        <source>Where to go: type part of a name, room number or level, then choose</source>
+        <translation>Para onde ir: escreva parte de um nome, número de sala ou piso e depois escolha</translation>
+    </message>
+    <message>
+        <source>Where the walk starts, if you know it</source>
+        <translation>Onde começa o percurso, se o souber</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::SpeechDesk</name>
+    <message>
+        <source>Voice off: sentences are only shown</source>
+        <translation>Voz desligada: as frases são apenas mostradas</translation>
+    </message>
+</context>
+<context>
     <name>farol::ui::SpeechOutput</name>
     <message>
         <source>The voice starts with the first sentence.</source>
@@ -876,6 +1331,29 @@
     <message>
         <source>There is nothing to repeat.</source>
         <translation>Não há nada para repetir.</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::UtteranceModel</name>
+    <message>
+        <source>Caused by picture %1</source>
+        <translation>Causada pela imagem %1</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Hora</translation>
+    </message>
+    <message>
+        <source>Sentence</source>
+        <translation>Frase</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Estado</translation>
+    </message>
+    <message>
+        <source>Because</source>
+        <translation>Porque</translation>
     </message>
 </context>
 <context>
@@ -903,6 +1381,257 @@
     <message>
         <source>The voice does not work. Choose another one in the settings.</source>
         <translation>A voz não funciona. Escolha outra nas definições.</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::VoteModel</name>
+    <message numerus="yes">
+        <source>%n matching object(s)</source>
+        <translation>
+            <numerusform>%n objeto condizente</numerusform>
+            <numerusform>%n objetos condizentes</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Lugar</translation>
+    </message>
+    <message>
+        <source>Votes</source>
+        <translation>Votos</translation>
+    </message>
+    <message>
+        <source>Made of</source>
+        <translation>Composição</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::Walk</name>
+    <message numerus="yes">
+        <source>%n remark(s) about the map: %1</source>
+        <translation>
+            <numerusform>%n observação sobre o mapa: %1</numerusform>
+            <numerusform>%n observações sobre o mapa: %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Opening %1…</source>
+        <translation>A abrir %1…</translation>
+    </message>
+    <message>
+        <source>Loading…</source>
+        <translation>A carregar…</translation>
+    </message>
+    <message>
+        <source>Open a map first (Ctrl+O).</source>
+        <translation>Abra primeiro um mapa (Ctrl+O).</translation>
+    </message>
+    <message>
+        <source>Open a camera, a video or a folder of pictures first (Ctrl+P).</source>
+        <translation>Abra primeiro uma câmara, um vídeo ou uma pasta de imagens (Ctrl+P).</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::Words</name>
+    <message>
+        <source>room</source>
+        <translation>sala</translation>
+    </message>
+    <message>
+        <source>corridor</source>
+        <translation>corredor</translation>
+    </message>
+    <message>
+        <source>hall</source>
+        <translation>átrio</translation>
+    </message>
+    <message>
+        <source>stairwell</source>
+        <translation>caixa de escadas</translation>
+    </message>
+    <message>
+        <source>lift</source>
+        <translation>elevador</translation>
+    </message>
+    <message>
+        <source>toilet</source>
+        <translation>casa de banho</translation>
+    </message>
+    <message>
+        <source>outside</source>
+        <translation>exterior</translation>
+    </message>
+    <message>
+        <source>place</source>
+        <translation>lugar</translation>
+    </message>
+    <message>
+        <source>door</source>
+        <translation>porta</translation>
+    </message>
+    <message>
+        <source>opening</source>
+        <translation>abertura</translation>
+    </message>
+    <message>
+        <source>stairs</source>
+        <translation>escadas</translation>
+    </message>
+    <message>
+        <source>escalator</source>
+        <translation>escada rolante</translation>
+    </message>
+    <message>
+        <source>ramp</source>
+        <translation>rampa</translation>
+    </message>
+    <message>
+        <source>window</source>
+        <translation>janela</translation>
+    </message>
+    <message>
+        <source>passage</source>
+        <translation>passagem</translation>
+    </message>
+    <message>
+        <source>level %1</source>
+        <translation>piso %1</translation>
+    </message>
+    <message>
+        <source>waiting</source>
+        <translation>em espera</translation>
+    </message>
+    <message>
+        <source>being spoken</source>
+        <translation>a ser dita</translation>
+    </message>
+    <message>
+        <source>spoken</source>
+        <translation>dita</translation>
+    </message>
+    <message>
+        <source>interrupted</source>
+        <translation>interrompida</translation>
+    </message>
+    <message>
+        <source>dropped, too late</source>
+        <translation>descartada, tarde demais</translation>
+    </message>
+    <message>
+        <source>shown, no sound</source>
+        <translation>mostrada, sem som</translation>
+    </message>
+    <message>
+        <source>new route</source>
+        <translation>novo percurso</translation>
+    </message>
+    <message>
+        <source>coming up</source>
+        <translation>a seguir</translation>
+    </message>
+    <message>
+        <source>do it now</source>
+        <translation>fazer agora</translation>
+    </message>
+    <message>
+        <source>keep going</source>
+        <translation>continuar</translation>
+    </message>
+    <message>
+        <source>arrived</source>
+        <translation>chegada</translation>
+    </message>
+    <message>
+        <source>left the route</source>
+        <translation>saída do percurso</translation>
+    </message>
+    <message>
+        <source>place not known</source>
+        <translation>lugar desconhecido</translation>
+    </message>
+    <message>
+        <source>place found</source>
+        <translation>lugar encontrado</translation>
+    </message>
+    <message>
+        <source>object seen</source>
+        <translation>objeto visto</translation>
+    </message>
+    <message>
+        <source>text read</source>
+        <translation>texto lido</translation>
+    </message>
+    <message>
+        <source>no route</source>
+        <translation>sem percurso</translation>
+    </message>
+    <message>
+        <source>already there</source>
+        <translation>já no destino</translation>
+    </message>
+    <message>
+        <source>warning</source>
+        <translation>aviso</translation>
+    </message>
+    <message>
+        <source>sure</source>
+        <translation>certo</translation>
+    </message>
+    <message>
+        <source>fairly sure</source>
+        <translation>bastante certo</translation>
+    </message>
+    <message>
+        <source>not sure</source>
+        <translation>incerto</translation>
+    </message>
+    <message>
+        <source>too few points fit</source>
+        <translation>poucos pontos condizem</translation>
+    </message>
+    <message>
+        <source>outline folded</source>
+        <translation>contorno dobrado</translation>
+    </message>
+    <message>
+        <source>looks too different</source>
+        <translation>aspeto demasiado diferente</translation>
+    </message>
+    <message>
+        <source>objects</source>
+        <translation>objetos</translation>
+    </message>
+    <message>
+        <source>best object</source>
+        <translation>melhor objeto</translation>
+    </message>
+    <message>
+        <source>near the last place</source>
+        <translation>perto do último lugar</translation>
+    </message>
+    <message>
+        <source>on the way</source>
+        <translation>no caminho</translation>
+    </message>
+    <message>
+        <source>seen together</source>
+        <translation>vistos juntos</translation>
+    </message>
+    <message>
+        <source>weight of the place</source>
+        <translation>peso do lugar</translation>
+    </message>
+    <message>
+        <source>share seen here</source>
+        <translation>parte vista aqui</translation>
+    </message>
+    <message>
+        <source>share seen next door</source>
+        <translation>parte vista ao lado</translation>
+    </message>
+    <message>
+        <source>vote</source>
+        <translation>voto</translation>
     </message>
 </context>
 </TS>

@@ -306,10 +306,11 @@ void TestSpeechQueue::repeatSaysTheLastActionWithoutOldFigures() {
     Walk walk;
     Cue soon = turn(CueKind::Prepare, -90, 0.0, 1.0);
     soon.distanceM = 6.0;
+    soon.turnFirst = fromDegrees(180);
     soon.validUntil = 5.0;
     walk.queue.add(soon);
     walk.finishAll();
-    QCOMPARE(walk.output.said.last(), QStringLiteral("In about 6 metres, turn right."));
+    QCOMPARE(walk.output.said.last(), QStringLiteral("Turn around. In about 6 metres, turn right."));
     walk.queue.setNow(9.0, RegionId{"R1"}, 0);
     walk.queue.add(reassure(9.0));
     walk.queue.repeatLast();

@@ -211,6 +211,7 @@ void SpeechQueue::repeatLast() {
         again.cue = m_lastActionable->cue;
         again.cue.distanceM.reset();
         again.cue.hour.reset();
+        again.cue.turnFirst.reset();
         again.cue.time = m_now;
         again.cue.validUntil = 0.0; // asked for now, so it is wanted now
         again.cue.validIn.clear();

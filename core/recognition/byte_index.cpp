@@ -101,7 +101,7 @@ Neighbours ByteIndex::search(const cv::Mat& queries, int neighbours, int checks)
     cvflann::SearchParams parameters(checks);
     for (int query = 0; query < queries.rows; ++query) {
         std::size_t at = static_cast<std::size_t>(query) * static_cast<std::size_t>(neighbours);
-        cvflann::KNNUniqueResultSet<float> best(neighbours);
+        cvflann::KNNUniqueResultSet<float> best(static_cast<unsigned>(neighbours));
         m_trees->index.findNeighbors(best, queries.ptr(query), parameters);
         std::size_t count = std::min(best.size(), static_cast<std::size_t>(neighbours));
         best.sortAndCopy(found.rows.data() + at, found.distances.data() + at, static_cast<int>(count));

@@ -1,4 +1,5 @@
 #include "app/farol-cli/commands.h"
+#include "app/farol-cli/findings_output.h"
 #include "app/farol-cli/output.h"
 
 #include "core/base/text.h"
@@ -21,43 +22,6 @@ using building::Finding;
 using building::Severity;
 using session::Json;
 
-Json findingsJson(const std::vector<Finding>& findings) {
-    Json json;
-    json["findings"] = Json::array();
-    for (const Finding& finding : findings) {
-        Json entry;
-        entry["severity"] = building::severityName(finding.severity);
-        entry["rule"] = finding.rule;
-        entry["message"] = finding.message;
-        entry["layer"] = finding.layer;
-        entry["ids"] = finding.ids;
-        json["findings"].push_back(std::move(entry));
-    }
-    return json;
-}
-
-std::string counted(std::size_t count, const std::string& word) {
-    return std::to_string(count) + " " + word + (count == 1 ? "" : "s");
-}
-
-void printFindings(const std::vector<Finding>& findings) {
-    for (const Finding& finding : findings) {
-        std::string ids;
-        // Long lists help nobody on a terminal; --json has them all.
-        for (std::size_t i = 0; i < finding.ids.size() && i < 10; ++i) ids += (i == 0 ? "" : ", ") + finding.ids[i];
-        if (finding.ids.size() > 10) ids += ", and " + std::to_string(finding.ids.size() - 10) + " more";
-        printLine(building::severityName(finding.severity) + ": " + finding.message + " [" + finding.rule +
-                  (ids.empty() ? "" : ": " + ids) + "]");
-    }
-    auto count = [&](Severity severity) {
-        return static_cast<std::size_t>(std::count_if(findings.begin(), findings.end(), [&](const Finding& finding) {
-            return finding.severity == severity;
-        }));
-    };
-    printLine(counted(count(Severity::Error), "error") + ", " + counted(count(Severity::Warning), "warning") + ", " +
-              counted(count(Severity::Note), "note"));
-}
-
 int checkMap(const std::string& map, bool json) {
     auto loaded = building::loadBuilding(map);
     std::vector<Finding> findings;
@@ -71,12 +35,18 @@ int checkMap(const std::string& map, bool json) {
         report(error);
         findings = {{Severity::Error, "file-readable", error.text(), "", {}}};
     }
-    if (json) printLine(session::dumped(findingsJson(findings)));
-    else printFindings(findings);
+    if (json) printLine(session::dumped(findingsDocument(findings)));
+    else printFindings(findings, stdout);
     bool failed = std::any_of(findings.begin(), findings.end(),
                               [](const Finding& finding) { return finding.severity == Severity::Error; });
     return failed ? kFailed : kDone;
 }
+
+std::string counted(std::size_t count, const std::string& word) {
+    return std::to_string(count) + " " + word + (count == 1 ? "" : "s");
+}
+
+} // namespace
 
 Json infoJson(const BuildingInfo& info) {
     Json json;
@@ -103,6 +73,8 @@ Json infoJson(const BuildingInfo& info) {
     json["unnamed_regions"] = info.unnamedRegions;
     return json;
 }
+
+namespace {
 
 std::string metres(double value) {
     char text[32];
@@ -150,7 +122,7 @@ void addMapArguments(CLI::App& command, const std::shared_ptr<MapArguments>& arg
 } // namespace
 
 void addMapCommands(CLI::App& app, int& exitCode) {
-    CLI::App* map = app.add_subcommand("map", "Checks and describes building files");
+    CLI::App* map = app.add_subcommand("map", "Imports, checks and describes building files");
     map->require_subcommand(1);
 
     CLI::App* check = map->add_subcommand("check", "Says what is wrong with a map; exit code 1 when there are errors");
@@ -159,6 +131,7 @@ void addMapCommands(CLI::App& app, int& exitCode) {
     check->footer("Example:\n  farol-cli map check building.gpkg");
     check->callback([checkArguments, &exitCode] { exitCode = checkMap(checkArguments->map, checkArguments->json); });
 
+    addMapImport(*map, exitCode);
     CLI::App* info = map->add_subcommand("info", "Counts what is in a map");
     auto infoArguments = std::make_shared<MapArguments>();
     addMapArguments(*info, infoArguments);

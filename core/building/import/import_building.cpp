@@ -1,0 +1,87 @@
+#include "core/building/import/importer.h"
+
+#include <array>
+#include <exception>
+#include <utility>
+
+namespace farol::building {
+
+namespace {
+
+constexpr std::array<std::pair<MapFormat, const char*>, 8> kFormats{{{MapFormat::Shapefile, "shapefile"},
+    {MapFormat::GeoPackage, "geopackage"}, {MapFormat::GeoJson, "geojson"}, {MapFormat::Imdf, "imdf"},
+    {MapFormat::Osm, "osm"}, {MapFormat::IndoorGml, "indoorgml"}, {MapFormat::Hulop, "hulop"},
+    {MapFormat::Wrld, "wrld"}}};
+
+/// Every reader there is, the more specific first where two recognise a source equally well.
+std::vector<std::unique_ptr<Importer>> allImporters() {
+    std::vector<std::unique_ptr<Importer>> importers;
+    importers.push_back(makeOsmImporter());
+    return importers;
+}
+
+std::string formatWords(const std::vector<std::unique_ptr<Importer>>& importers) {
+    std::string words;
+    for (const auto& importer : importers) words += (words.empty() ? "" : ", ") + mapFormatName(importer->format());
+    return words;
+}
+
+std::string membersOf(const SourceListing& source) {
+    std::string names;
+    for (std::size_t i = 0; i < source.members.size() && i < 5; ++i)
+        names += (i == 0 ? "" : ", ") + source.members[i].name;
+    return source.members.size() > 5 ? names + " and " + std::to_string(source.members.size() - 5) + " more" : names;
+}
+
+Result<std::unique_ptr<Importer>> chosenImporter(const SourceListing& source, const ImportOptions& options) {
+    auto importers = allImporters();
+    std::string words = formatWords(importers);
+    std::unique_ptr<Importer> best;
+    int score = 0;
+    for (auto& importer : importers) {
+        bool wanted = options.format && importer->format() == *options.format;
+        int sure = options.format ? (wanted ? 1 : 0) : importer->recognises(source);
+        if (sure <= score) continue;
+        score = sure;
+        best = std::move(importer);
+    }
+    if (best != nullptr) return best;
+    return Error{ErrorCode::UnsupportedFormat,
+                 "is no indoor map of a kind that is known: " + membersOf(source) + " was tried as " + words +
+                     "; say which with --format, or give column names with --profile",
+                 source.path};
+}
+
+} // namespace
+
+std::string mapFormatName(MapFormat format) {
+    for (const auto& [value, name] : kFormats)
+        if (value == format) return name;
+    return "unknown";
+}
+
+std::optional<MapFormat> mapFormatFromName(const std::string& name) {
+    for (const auto& [value, word] : kFormats)
+        if (name == word) return value;
+    return std::nullopt;
+}
+
+Result<ImportedBuilding> importBuilding(const std::string& source, const ImportOptions& options) {
+    try {
+        auto listing = listSource(source);
+        if (!listing) return listing.error();
+        auto importer = chosenImporter(*listing, options);
+        if (!importer) return importer.error();
+        auto raw = (*importer)->read(*listing, options);
+        if (!raw) return raw.error();
+        auto finished = finishImport(std::move(*raw), (*importer)->format());
+        if (finished) return finished;
+        Error error = finished.error();
+        error.context = source + (error.context.empty() ? "" : ", " + error.context);
+        return error;
+    } catch (const std::exception& failure) {
+        return Error{ErrorCode::Corrupt, std::string("cannot be imported (") + failure.what() + ")", source};
+    }
+}
+
+} // namespace farol::building

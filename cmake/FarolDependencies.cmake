@@ -3,6 +3,7 @@ find_package(Threads REQUIRED)
 # Named components only: Debian's highgui pulls in Qt 5.
 find_package(OpenCV REQUIRED COMPONENTS core imgproc features2d flann calib3d imgcodecs videoio video)
 find_package(GDAL CONFIG REQUIRED)
+find_package(EXPAT REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(PkgConfig REQUIRED)
 # libtesseract-dev ships no CMake configuration.

@@ -16,6 +16,7 @@ constexpr std::array<std::pair<MapFormat, const char*>, 8> kFormats{{{MapFormat:
 /// Every reader there is, the more specific first where two recognise a source equally well.
 std::vector<std::unique_ptr<Importer>> allImporters() {
     std::vector<std::unique_ptr<Importer>> importers;
+    importers.push_back(makeWrldImporter());
     importers.push_back(makeOsmImporter());
     importers.push_back(makeIndoorGmlImporter());
     return importers;

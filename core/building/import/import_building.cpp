@@ -17,6 +17,7 @@ constexpr std::array<std::pair<MapFormat, const char*>, 8> kFormats{{{MapFormat:
 std::vector<std::unique_ptr<Importer>> allImporters() {
     std::vector<std::unique_ptr<Importer>> importers;
     importers.push_back(makeWrldImporter());
+    importers.push_back(makeImdfImporter());
     importers.push_back(makeOsmImporter());
     importers.push_back(makeIndoorGmlImporter());
     return importers;

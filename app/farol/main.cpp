@@ -1,12 +1,45 @@
 // The workstation.
 
+#include "app/farol/options.h"
+#include "app/farol/screenshot.h"
 #include "ui/main_window/main_window.h"
 
 #include <QApplication>
+#include <QIcon>
+#include <QTemporaryDir>
+#include <QTimer>
 
 int main(int argc, char** argv) {
     QApplication application(argc, argv);
-    farol::ui::MainWindow window;
+    QApplication::setApplicationName(QStringLiteral("farol"));
+    QApplication::setApplicationDisplayName(QStringLiteral("Farol"));
+    QApplication::setApplicationVersion(QStringLiteral(FAROL_VERSION));
+    QApplication::setDesktopFileName(QStringLiteral("farol"));
+    QApplication::setWindowIcon(QIcon(QStringLiteral(":/farol/icons/farol.svg")));
+    QApplication::setStyle(QStringLiteral("Fusion")); // the same look, and a palette that dark desktops can set
+    const farol::Options options = farol::optionsFrom(QApplication::arguments());
+
+    // A picture or a self-test neither follows nor changes what the user has set.
+    const QTemporaryDir scratch;
+    const bool aside = options.selfTest || !options.screenshot.isEmpty();
+    farol::ui::Settings settings(aside ? scratch.filePath(QStringLiteral("settings.ini")) : QString());
+    if (!options.language.isEmpty()) settings.setLanguage(options.language.left(2));
+    farol::ui::MainWindow::applyLanguage(settings);
+
+    farol::ui::MainWindow window(settings);
+    if (options.size) window.resize(*options.size);
+    if (!options.screenshot.isEmpty()) new farol::Screenshot(window, options.screenshot, options.after);
     window.show();
-    return QApplication::exec();
+    int failures = 0;
+    if (options.selfTest) {
+        QObject::connect(&window.walk(), &farol::ui::Walk::problem, &window, [&] { ++failures; });
+        auto* watch = new QTimer(&window);
+        QObject::connect(watch, &QTimer::timeout, &window, [&] {
+            if (!window.walk().loading()) window.close();
+        });
+        watch->start(100);
+    }
+    window.begin(options.begin);
+    const int code = QApplication::exec();
+    return failures > 0 ? 1 : code;
 }

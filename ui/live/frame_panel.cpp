@@ -57,7 +57,7 @@ void FramePanel::retranslate() {
     m_title->setText(tr("What the camera sees"));
     m_view->setAccessibleName(tr("Camera picture"));
     m_view->setToolTip(tr("The camera's picture, with what Farol recognised in it"));
-    if (!m_snapshot) {
+    if (!m_snapshot || m_snapshot->frame.image.empty()) {
         m_when->clear();
         m_cost->clear();
         return;

@@ -192,7 +192,7 @@ void LivePage::setBuilding(const std::shared_ptr<const building::Building>& buil
 }
 
 void LivePage::show(const std::shared_ptr<const session::Snapshot>& snapshot) {
-    const bool newFrame = snapshot && snapshot != m_shown;
+    const bool newFrame = snapshot && snapshot != m_shown && !snapshot->frame.image.empty();
     m_shown = snapshot;
     m_frame->show(snapshot);
     m_map->show(snapshot);
@@ -255,6 +255,10 @@ void LivePage::retranslate() {
 void LivePage::changeEvent(QEvent* event) {
     if (event->type() == QEvent::LanguageChange) retranslate();
     QWidget::changeEvent(event);
+}
+
+std::vector<QWidget*> LivePage::tables() const {
+    return {m_said, m_voteTable, m_tabs->currentWidget()};
 }
 
 void LivePage::restoreLayout() {

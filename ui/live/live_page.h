@@ -12,6 +12,8 @@
 
 #include <QWidget>
 
+#include <vector>
+
 class QLabel;
 class QSplitter;
 class QTabWidget;
@@ -25,6 +27,7 @@ class InstructionPanel;
 class MapPanel;
 class PlaceChooser;
 
+/// Needs a Walk, a voice and settings that outlive it.
 class LivePage : public QWidget {
     Q_OBJECT
 
@@ -42,6 +45,7 @@ public:
     MapPanel& mapPanel() { return *m_map; }
     InstructionPanel& instruction() { return *m_instruction; }
     UtteranceModel& utterances() { return m_utterances; }
+    std::vector<QWidget*> tables() const; ///< in the order of the keyboard
     int framesShown() const { return m_framesShown; }
     void saveLayout();
 

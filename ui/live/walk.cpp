@@ -46,7 +46,7 @@ void Walk::mapLoaded(const QString& path, Result<building::LoadedBuilding> resul
         Q_EMIT problem(Problem::Map, toQString(result.error().text()));
         return;
     }
-    stop();
+    endSession();
     m_building = result->building;
     m_mapName = path;
     m_start.reset();
@@ -77,7 +77,7 @@ void Walk::loadLibrary(const QString& path) {
                              Q_EMIT problem(Problem::Library, toQString(result.error().text()));
                              return;
                          }
-                         stop();
+                         endSession();
                          m_library = std::make_shared<const recognition::LandmarkLibrary>(std::move(*result));
                          m_libraryName = path;
                          Q_EMIT problemSolved(Problem::Library);
@@ -88,14 +88,14 @@ void Walk::loadLibrary(const QString& path) {
 
 void Walk::dropLibrary() {
     ++m_libraryJob;
-    stop();
+    endSession();
     m_library.reset();
     m_libraryName.clear();
     Q_EMIT libraryChanged();
 }
 
 void Walk::setSource(const WalkSource& source) {
-    stop();
+    endSession();
     m_source = source;
     Q_EMIT problemSolved(Problem::Source);
     Q_EMIT sourceChanged();
@@ -145,6 +145,10 @@ void Walk::pause() {
 
 void Walk::stop() {
     m_playWanted = false;
+    endSession();
+}
+
+void Walk::endSession() {
     ++m_serial; // what the old session still says does not count
     m_opening = false;
     dispose();

@@ -81,6 +81,7 @@ private:
     void open(bool pausedAfterOne);
     void opened(std::uint64_t serial, Result<std::unique_ptr<session::NavigationSession>> result, bool stepOnly);
     session::SessionHandlers handlersFor(std::uint64_t serial);
+    void endSession(); ///< a wish to play once everything is loaded stays
     void dispose();
     void pull();
     void setState(session::RunState state);

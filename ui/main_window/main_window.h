@@ -1,15 +1,70 @@
 #pragma once
 // The workstation's window: pages, menus, keys.
 
+#include "ui/live/live_page.h"
+#include "ui/live/speech_desk.h"
+#include "ui/live/walk.h"
+#include "ui/main_window/start_options.h"
+#include "ui/settings/settings.h"
+
 #include <QMainWindow>
 
+class QLabel;
+class QProgressBar;
+
 namespace farol::ui {
+
+class WindowActions;
 
 class MainWindow : public QMainWindow {
     Q_OBJECT
 
 public:
-    explicit MainWindow(QWidget* parent = nullptr);
+    /// `open` and `makeOutput` are replaced by tests. The settings must outlive the window.
+    explicit MainWindow(Settings& settings, Walk::OpenSource open = {}, SpeechDesk::MakeOutput makeOutput = {},
+                        QWidget* parent = nullptr);
+    ~MainWindow() override;
+
+    void begin(const StartOptions& options);
+    /// Installs the language that the settings name, or the computer's.
+    static void applyLanguage(const Settings& settings);
+
+    Walk& walk() { return m_walk; }
+    LivePage& page() { return *m_page; }
+    WindowActions& actions() { return *m_actions; }
+
+protected:
+    void closeEvent(QCloseEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
+private:
+    void connectFile();
+    void connectWalk();
+    void connectVoice();
+    void connectView();
+    void connectNews();
+    void showState(session::RunState state);
+    void showProblem(Problem kind, const QString& message);
+    void toggleRecording(bool on);
+    std::optional<QString> nextRecording() const;
+    void resolvePlaces();
+    void changeSpeed(int by);
+    void movePane(int by);
+    void fillRecent();
+    void chooseMap();
+    void chooseLibrary();
+    void chooseSource();
+    void retranslate();
+    QString title() const;
+
+    Settings& m_settings;
+    Walk m_walk;
+    SpeechDesk m_speech;
+    WindowActions* m_actions;
+    LivePage* m_page;
+    QLabel* m_status;
+    QProgressBar* m_busy;
+    QString m_from, m_to; ///< to be looked up once the map is there
 };
 
 } // namespace farol::ui

@@ -1,0 +1,26 @@
+#pragma once
+// The command line of the workstation.
+
+#include "ui/main_window/start_options.h"
+
+#include <QSize>
+#include <QString>
+#include <QStringList>
+
+#include <optional>
+
+namespace farol {
+
+struct Options {
+    ui::StartOptions begin;
+    QString language;   ///< empty: as the settings say
+    QString screenshot; ///< file; empty: none
+    int after = 10;     ///< pictures shown before it is taken
+    std::optional<QSize> size;
+    bool selfTest = false;
+};
+
+/// Ends the program for --help, --version (0) and wrong usage (2).
+Options optionsFrom(const QStringList& arguments);
+
+} // namespace farol

@@ -1,0 +1,224 @@
+#include "ui/main_window/window_actions.h"
+
+#include <QAction>
+#include <QActionGroup>
+#include <QComboBox>
+#include <QEvent>
+#include <QLabel>
+#include <QLocale>
+#include <QMainWindow>
+#include <QMenu>
+#include <QMenuBar>
+#include <QToolBar>
+#include <QToolButton>
+
+#include <array>
+
+namespace farol::ui {
+
+namespace {
+
+constexpr std::array<double, 6> kSpeeds{0.25, 0.5, 1.0, 2.0, 4.0, 8.0};
+
+} // namespace
+
+WindowActions::WindowActions(QMainWindow& window) : QObject(&window), m_window(window) {
+    buildMenus();
+    buildToolBar();
+    m_window.installEventFilter(this);
+    refreshIcons();
+    retranslate();
+}
+
+QAction* WindowActions::add(QMenu* menu, const QList<QKeySequence>& shortcuts, bool checkable) {
+    auto* action = new QAction(&m_window);
+    action->setShortcuts(shortcuts);
+    action->setCheckable(checkable);
+    menu->addAction(action);
+    return action;
+}
+
+void WindowActions::addGlyph(QAction* action, Glyph glyph) { m_icons.push_back({action, glyph}); }
+
+void WindowActions::buildMenus() {
+    QMenuBar* bar = m_window.menuBar();
+    m_file = bar->addMenu(QString());
+    openMap = add(m_file, {QKeySequence::Open});
+    recentMaps = m_file->addMenu(QString());
+    openLibrary = add(m_file, {Qt::CTRL | Qt::Key_L});
+    recentLibraries = m_file->addMenu(QString());
+    closeLibrary = add(m_file);
+    openSource = add(m_file, {Qt::CTRL | Qt::Key_P});
+    recentSources = m_file->addMenu(QString());
+    m_file->addSeparator();
+    settings = add(m_file, {Qt::CTRL | Qt::Key_Comma});
+    m_file->addSeparator();
+    quit = add(m_file, {Qt::CTRL | Qt::Key_Q});
+
+    m_walk = bar->addMenu(QString());
+    play = add(m_walk, {Qt::Key_F5});
+    step = add(m_walk, {Qt::Key_F8});
+    stop = add(m_walk, {Qt::SHIFT | Qt::Key_F5});
+    m_walk->addSeparator();
+    faster = add(m_walk, {Qt::CTRL | Qt::Key_Up});
+    slower = add(m_walk, {Qt::CTRL | Qt::Key_Down});
+    m_walk->addSeparator();
+    destination = add(m_walk, {Qt::CTRL | Qt::Key_G});
+    noDestination = add(m_walk, {Qt::CTRL | Qt::SHIFT | Qt::Key_G});
+    start = add(m_walk, {Qt::CTRL | Qt::Key_B});
+    m_walk->addSeparator();
+    record = add(m_walk, {Qt::CTRL | Qt::SHIFT | Qt::Key_R}, true);
+
+    m_voice = bar->addMenu(QString());
+    repeat = add(m_voice, {Qt::CTRL | Qt::Key_R});
+    mute = add(m_voice, {Qt::CTRL | Qt::Key_M}, true);
+    m_language = m_voice->addMenu(QString());
+    english = add(m_language, {}, true);
+    portuguese = add(m_language, {}, true);
+    auto* languages = new QActionGroup(this);
+    languages->addAction(english);
+    languages->addAction(portuguese);
+
+    m_view = bar->addMenu(QString());
+    fitMap = add(m_view, {Qt::CTRL | Qt::Key_0});
+    zoomIn = add(m_view, {QKeySequence::ZoomIn, Qt::CTRL | Qt::Key_Equal});
+    zoomOut = add(m_view, {QKeySequence::ZoomOut});
+    follow = add(m_view, {Qt::CTRL | Qt::Key_F}, true);
+    m_view->addSeparator();
+    grid = add(m_view, {Qt::CTRL | Qt::Key_T}, true);
+    rejected = add(m_view, {Qt::CTRL | Qt::Key_J}, true);
+    m_view->addSeparator();
+    nextPane = add(m_view, {Qt::Key_F6});
+    previousPane = add(m_view, {Qt::SHIFT | Qt::Key_F6});
+
+    m_help = bar->addMenu(QString());
+    keys = add(m_help, {Qt::Key_F1});
+    about = add(m_help);
+    quit->setMenuRole(QAction::QuitRole);
+    about->setMenuRole(QAction::AboutRole);
+}
+
+void WindowActions::buildToolBar() {
+    m_bar = m_window.addToolBar(QString());
+    m_bar->setObjectName(QStringLiteral("main"));
+    m_bar->setMovable(false);
+    m_bar->setContextMenuPolicy(Qt::PreventContextMenu);
+    m_bar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    m_bar->setIconSize({20, 20});
+    addGlyph(openMap, Glyph::Map);
+    addGlyph(openLibrary, Glyph::Library);
+    addGlyph(openSource, Glyph::Camera);
+    addGlyph(step, Glyph::Step);
+    addGlyph(stop, Glyph::Stop);
+    addGlyph(repeat, Glyph::Repeat);
+    addGlyph(record, Glyph::Record);
+    addGlyph(fitMap, Glyph::Fit);
+    addGlyph(zoomIn, Glyph::ZoomIn);
+    addGlyph(zoomOut, Glyph::ZoomOut);
+    addGlyph(destination, Glyph::Go);
+    speed = new QComboBox(m_bar);
+    for (const double factor : kSpeeds) speed->addItem(QStringLiteral("%1×").arg(QLocale().toString(factor)), factor);
+    speed->setCurrentIndex(speed->findData(1.0));
+    m_speedLabel = new QLabel(m_bar);
+    m_speedLabel->setBuddy(speed);
+    m_speedLabel->setContentsMargins(8, 0, 4, 0);
+
+    m_bar->addActions({play, step, stop});
+    m_bar->addWidget(m_speedLabel);
+    m_bar->addWidget(speed);
+    m_bar->addSeparator();
+    m_bar->addActions({repeat, mute, record});
+    m_bar->addSeparator();
+    m_bar->addActions({openMap, openLibrary, openSource});
+    for (QToolButton* button : m_bar->findChildren<QToolButton*>()) button->setFocusPolicy(Qt::TabFocus);
+    connect(mute, &QAction::toggled, this, &WindowActions::refreshIcons);
+}
+
+void WindowActions::refreshIcons() {
+    const QPalette palette = m_window.palette();
+    for (const Iconed& iconed : m_icons) iconed.action->setIcon(glyphIcon(iconed.glyph, palette));
+    play->setIcon(glyphIcon(m_playing ? Glyph::Pause : Glyph::Play, palette));
+    mute->setIcon(glyphIcon(mute->isChecked() ? Glyph::Mute : Glyph::Sound, palette));
+}
+
+void WindowActions::setPlaying(bool playing) {
+    if (playing == m_playing) return;
+    m_playing = playing;
+    refreshIcons();
+    retranslate();
+}
+
+bool WindowActions::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == &m_window && event->type() == QEvent::PaletteChange) refreshIcons();
+    return QObject::eventFilter(watched, event);
+}
+
+QList<QAction*> WindowActions::withKeys() const {
+    QList<QAction*> found;
+    for (const QMenu* menu : {m_file, m_walk, m_voice, m_view, m_help})
+        for (QAction* action : menu->actions())
+            if (!action->shortcut().isEmpty()) found << action;
+    return found;
+}
+
+void WindowActions::retranslate() {
+    const auto name = [](QAction* action, const QString& text, const QString& brief, const QString& tip) {
+        action->setText(text);
+        action->setIconText(brief);
+        const QString shortcut = action->shortcut().toString(QKeySequence::NativeText);
+        action->setToolTip(shortcut.isEmpty() ? tip : QStringLiteral("%1 (%2)").arg(tip, shortcut));
+        action->setStatusTip(tip);
+    };
+    m_file->setTitle(tr("&File"));
+    m_walk->setTitle(tr("&Walk"));
+    m_voice->setTitle(tr("V&oice"));
+    m_view->setTitle(tr("&View"));
+    m_help->setTitle(tr("&Help"));
+    m_language->setTitle(tr("&Language"));
+    recentMaps->setTitle(tr("R&ecent maps"));
+    recentLibraries->setTitle(tr("Recent landmark li&braries"));
+    recentSources->setTitle(tr("Recent pi&ctures"));
+
+    name(openMap, tr("&Open map…"), tr("Map"), tr("Open the map of a building"));
+    name(openLibrary, tr("Open landmark &library…"), tr("Landmarks"), tr("Open the landmarks that Farol was taught"));
+    name(closeLibrary, tr("&Close landmark library"), tr("Close"), tr("Walk without taught landmarks"));
+    name(openSource, tr("Open &pictures…"), tr("Pictures"), tr("Choose a camera, a video, a folder or an address"));
+    name(settings, tr("&Settings…"), tr("Settings"), tr("Language, voice and what is told"));
+    name(quit, tr("&Quit"), tr("Quit"), tr("Leave Farol"));
+
+    name(play, m_playing ? tr("&Pause") : tr("&Play"), m_playing ? tr("Pause") : tr("Play"),
+         m_playing ? tr("Hold the walk") : tr("Start the walk, or go on"));
+    name(step, tr("&One picture"), tr("Step"), tr("Go on by one picture, then hold"));
+    name(stop, tr("S&top"), tr("Stop"), tr("End the walk"));
+    name(faster, tr("&Faster"), tr("Faster"), tr("Play faster"));
+    name(slower, tr("&Slower"), tr("Slower"), tr("Play slower"));
+    name(destination, tr("Choose &destination"), tr("Destination"), tr("Choose where to go"));
+    name(noDestination, tr("&No destination"), tr("No destination"), tr("Give up the destination"));
+    name(start, tr("Choose st&art"), tr("Start"), tr("Say where the walk starts"));
+    name(record, tr("&Record the walk"), tr("Record"), tr("Keep the next walk in a folder, to be replayed"));
+
+    name(repeat, tr("&Repeat"), tr("Repeat"), tr("Say the last instruction again"));
+    name(mute, tr("Voice o&ff"), tr("Voice off"), tr("Show sentences without speaking them"));
+    name(english, QStringLiteral("English"), QStringLiteral("English"), QStringLiteral("English"));
+    name(portuguese, QStringLiteral("Português"), QStringLiteral("Português"), QStringLiteral("Português"));
+
+    name(fitMap, tr("&Whole floor"), tr("Whole floor"), tr("Show the whole floor"));
+    name(zoomIn, tr("&Larger map"), tr("Larger"), tr("Show the map larger"));
+    name(zoomOut, tr("&Smaller map"), tr("Smaller"), tr("Show the map smaller"));
+    name(follow, tr("&Follow to other floors"), tr("Follow"), tr("Switch to the floor where you are"));
+    name(grid, tr("&Grid over the picture"), tr("Grid"), tr("Show the nine parts of the picture"));
+    name(rejected, tr("&What was not accepted"), tr("Not accepted"), tr("Show what was nearly recognised, and why not"));
+    name(nextPane, tr("&Next part of the window"), tr("Next"), tr("Go to the next part of the window"));
+    name(previousPane, tr("&Previous part of the window"), tr("Previous"), tr("Go to the previous part of the window"));
+
+    name(keys, tr("&Keys"), tr("Keys"), tr("Every key of this window"));
+    name(about, tr("&About Farol"), tr("About"), tr("What Farol is"));
+
+    m_bar->setWindowTitle(tr("Walk"));
+    m_bar->setAccessibleName(tr("Walk"));
+    m_speedLabel->setText(tr("&Speed:"));
+    speed->setAccessibleName(tr("Speed"));
+    speed->setToolTip(tr("How fast pictures from files are played"));
+}
+
+} // namespace farol::ui

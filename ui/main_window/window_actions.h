@@ -1,0 +1,61 @@
+#pragma once
+// Every command of the window with its name, key and icon, and the menus and tool bar made of them.
+
+#include "ui/convert/glyphs.h"
+
+#include <QList>
+#include <QObject>
+
+#include <vector>
+
+class QAction;
+class QActionGroup;
+class QComboBox;
+class QLabel;
+class QMainWindow;
+class QMenu;
+class QToolBar;
+
+namespace farol::ui {
+
+class WindowActions : public QObject {
+    Q_OBJECT
+
+public:
+    explicit WindowActions(QMainWindow& window);
+
+    QAction *openMap, *openLibrary, *closeLibrary, *openSource, *settings, *quit;
+    QAction *play, *step, *stop, *record, *faster, *slower;
+    QAction *destination, *start, *noDestination, *repeat, *mute;
+    QAction *grid, *rejected, *follow, *fitMap, *zoomIn, *zoomOut, *nextPane, *previousPane;
+    QAction *english, *portuguese, *keys, *about;
+    QMenu *recentMaps, *recentLibraries, *recentSources;
+    QComboBox* speed;
+
+    void retranslate();
+    void setPlaying(bool playing); ///< the first command is Pause while a walk runs
+    /// All with a key of their own, for the list of keys.
+    QList<QAction*> withKeys() const;
+
+private:
+    QAction* add(QMenu* menu, const QList<QKeySequence>& shortcuts = {}, bool checkable = false);
+    void addGlyph(QAction* action, Glyph glyph);
+    void buildMenus();
+    void buildToolBar();
+    void refreshIcons();
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+    struct Iconed {
+        QAction* action;
+        Glyph glyph;
+    };
+
+    QMainWindow& m_window;
+    QMenu *m_file, *m_walk, *m_voice, *m_view, *m_help, *m_language;
+    QToolBar* m_bar;
+    QLabel* m_speedLabel;
+    std::vector<Iconed> m_icons;
+    bool m_playing = false;
+};
+
+} // namespace farol::ui

@@ -18,6 +18,7 @@ std::vector<std::unique_ptr<Importer>> allImporters() {
     std::vector<std::unique_ptr<Importer>> importers;
     importers.push_back(makeWrldImporter());
     importers.push_back(makeImdfImporter());
+    importers.push_back(makeHulopImporter());
     importers.push_back(makeOsmImporter());
     importers.push_back(makeIndoorGmlImporter());
     return importers;

@@ -2,6 +2,21 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="pt_PT" sourcelanguage="en">
 <context>
+    <name>farol::Options</name>
+    <message>
+        <source>%1 needs a number above 0, not “%2”</source>
+        <translation>%1 precisa de um número acima de 0, não “%2”</translation>
+    </message>
+    <message>
+        <source>%1 needs a size such as 1280x800, not “%2”</source>
+        <translation>%1 precisa de um tamanho como 1280x800, não “%2”</translation>
+    </message>
+    <message>
+        <source>“%1” is not known; see --help</source>
+        <translation>“%1” não é conhecido; veja --help</translation>
+    </message>
+</context>
+<context>
     <name>farol::espeak</name>
     <message>
         <source>The data of the voice are missing: install espeak-ng-data.</source>
@@ -273,6 +288,49 @@ Abra uma câmara, um vídeo ou uma pasta de imagens e depois prima Reproduzir.</
     </message>
 </context>
 <context>
+    <name>farol::ui::KeysDialog</name>
+    <message>
+        <source>Keys</source>
+        <translation>Teclas</translation>
+    </message>
+    <message>
+        <source>Arrows</source>
+        <translation>Setas</translation>
+    </message>
+    <message>
+        <source>In the map: move it</source>
+        <translation>No mapa: movê-lo</translation>
+    </message>
+    <message>
+        <source>In the map: larger, smaller, whole floor</source>
+        <translation>No mapa: maior, menor, piso inteiro</translation>
+    </message>
+    <message>
+        <source>Page Up, Page Down</source>
+        <translation>Page Up, Page Down</translation>
+    </message>
+    <message>
+        <source>In the map: the floor above, the floor below</source>
+        <translation>No mapa: o piso acima, o piso abaixo</translation>
+    </message>
+    <message>
+        <source>Tab</source>
+        <translation>Tab</translation>
+    </message>
+    <message>
+        <source>The next button or list</source>
+        <translation>O botão ou lista seguinte</translation>
+    </message>
+    <message>
+        <source>Key</source>
+        <translation>Tecla</translation>
+    </message>
+    <message>
+        <source>What it does</source>
+        <translation>O que faz</translation>
+    </message>
+</context>
+<context>
     <name>farol::ui::LivePage</name>
     <message>
         <source>What was said</source>
@@ -317,6 +375,113 @@ Abra uma câmara, um vídeo ou uma pasta de imagens e depois prima Reproduzir.</
     <message>
         <source>Lists</source>
         <translation>Listas</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::MainWindow</name>
+    <message>
+        <source>About Farol</source>
+        <translation>Acerca do Farol</translation>
+    </message>
+    <message>
+        <source>Farol %1
+
+Guides a blind person through a building with one ordinary camera: it recognises what it was taught, works out the place, and speaks the way.</source>
+        <translation>Farol %1
+
+Guia uma pessoa cega por um edifício com uma câmara comum: reconhece o que lhe foi ensinado, determina o lugar e diz o caminho.</translation>
+    </message>
+    <message>
+        <source>Ready</source>
+        <translation>Pronto</translation>
+    </message>
+    <message>
+        <source>Walking</source>
+        <translation>A percorrer</translation>
+    </message>
+    <message>
+        <source>Held</source>
+        <translation>Em pausa</translation>
+    </message>
+    <message>
+        <source>The walk has ended</source>
+        <translation>O percurso terminou</translation>
+    </message>
+    <message>
+        <source>The walk could not go on</source>
+        <translation>O percurso não pôde continuar</translation>
+    </message>
+    <message>
+        <source>Loading…</source>
+        <translation>A carregar…</translation>
+    </message>
+    <message>
+        <source>recorded in %1</source>
+        <translation>gravado em %1</translation>
+    </message>
+    <message>
+        <source>The walk has ended: there are no more pictures.</source>
+        <translation>O percurso terminou: não há mais imagens.</translation>
+    </message>
+    <message>
+        <source>Play &amp;again</source>
+        <translation>Reproduzir &amp;outra vez</translation>
+    </message>
+    <message>
+        <source>Open another &amp;map…</source>
+        <translation>Abrir outro &amp;mapa…</translation>
+    </message>
+    <message>
+        <source>Open another &amp;library…</source>
+        <translation>Abrir outra &amp;biblioteca…</translation>
+    </message>
+    <message>
+        <source>Open other &amp;pictures…</source>
+        <translation>Abrir outras &amp;imagens…</translation>
+    </message>
+    <message>
+        <source>The walk will be recorded from its next start.</source>
+        <translation>O percurso será gravado a partir do próximo início.</translation>
+    </message>
+    <message>
+        <source>This walk is recorded to its end; the next one is not.</source>
+        <translation>Este percurso é gravado até ao fim; o próximo não.</translation>
+    </message>
+    <message>
+        <source>Start &amp;again now</source>
+        <translation>&amp;Recomeçar agora</translation>
+    </message>
+    <message>
+        <source>Open a map</source>
+        <translation>Abrir um mapa</translation>
+    </message>
+    <message>
+        <source>Maps (%1);;All files (%2)</source>
+        <translation>Mapas (%1);;Todos os ficheiros (%2)</translation>
+    </message>
+    <message>
+        <source>Open a landmark library</source>
+        <translation>Abrir uma biblioteca de pontos de referência</translation>
+    </message>
+    <message>
+        <source>Landmark libraries (%1);;All files (%2)</source>
+        <translation>Bibliotecas de pontos de referência (%1);;Todos os ficheiros (%2)</translation>
+    </message>
+    <message>
+        <source>Farol</source>
+        <translation>Farol</translation>
+    </message>
+    <message>
+        <source>%1 – Farol</source>
+        <translation>%1 – Farol</translation>
+    </message>
+    <message>
+        <source>State of the walk</source>
+        <translation>Estado do percurso</translation>
+    </message>
+    <message>
+        <source>Something is being loaded</source>
+        <translation>Está a ser carregado algo</translation>
     </message>
 </context>
 <context>
@@ -1309,6 +1474,252 @@ Abra um com Ctrl+O.</translation>
     </message>
 </context>
 <context>
+    <name>farol::ui::SettingsDialog</name>
+    <message>
+        <source>Settings</source>
+        <translation>Definições</translation>
+    </message>
+    <message>
+        <source>As the computer is set</source>
+        <translation>Como no computador</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Língua</translation>
+    </message>
+    <message>
+        <source>Language of the window and of the voice</source>
+        <translation>Língua da janela e da voz</translation>
+    </message>
+    <message>
+        <source>&amp;Language:</source>
+        <translation>&amp;Língua:</translation>
+    </message>
+    <message>
+        <source>Left and right</source>
+        <translation>Esquerda e direita</translation>
+    </message>
+    <message>
+        <source>Hours of a clock</source>
+        <translation>Horas de um relógio</translation>
+    </message>
+    <message>
+        <source>Degrees</source>
+        <translation>Graus</translation>
+    </message>
+    <message>
+        <source>Directions</source>
+        <translation>Direções</translation>
+    </message>
+    <message>
+        <source>How turns are told</source>
+        <translation>Como são ditas as mudanças de direção</translation>
+    </message>
+    <message>
+        <source>&amp;Directions:</source>
+        <translation>&amp;Direções:</translation>
+    </message>
+    <message>
+        <source>The way only</source>
+        <translation>Só o caminho</translation>
+    </message>
+    <message>
+        <source>The way and objects</source>
+        <translation>O caminho e os objetos</translation>
+    </message>
+    <message>
+        <source>The way, objects and texts</source>
+        <translation>O caminho, os objetos e os textos</translation>
+    </message>
+    <message>
+        <source>What is told</source>
+        <translation>O que é dito</translation>
+    </message>
+    <message>
+        <source>How much is told on the way</source>
+        <translation>Quanto é dito pelo caminho</translation>
+    </message>
+    <message>
+        <source>&amp;What is told:</source>
+        <translation>O &amp;que é dito:</translation>
+    </message>
+    <message>
+        <source>The first that works</source>
+        <translation>O primeiro que funcione</translation>
+    </message>
+    <message>
+        <source>Speech program</source>
+        <translation>Programa de fala</translation>
+    </message>
+    <message>
+        <source>Which speech program of this computer speaks</source>
+        <translation>Que programa de fala deste computador fala</translation>
+    </message>
+    <message>
+        <source>&amp;Speech program:</source>
+        <translation>Prog&amp;rama de fala:</translation>
+    </message>
+    <message>
+        <source>What fits the language</source>
+        <translation>A que convém à língua</translation>
+    </message>
+    <message>
+        <source>Voice</source>
+        <translation>Voz</translation>
+    </message>
+    <message>
+        <source>Press “List voices” to choose among those of the speech program</source>
+        <translation>Prima “Listar vozes” para escolher entre as do programa de fala</translation>
+    </message>
+    <message>
+        <source>List &amp;voices</source>
+        <translation>Listar &amp;vozes</translation>
+    </message>
+    <message>
+        <source>List voices</source>
+        <translation>Listar vozes</translation>
+    </message>
+    <message>
+        <source>Ask the speech program for its voices; this can take some seconds</source>
+        <translation>Pedir ao programa de fala as suas vozes; pode demorar alguns segundos</translation>
+    </message>
+    <message>
+        <source>V&amp;oice:</source>
+        <translation>V&amp;oz:</translation>
+    </message>
+    <message>
+        <source>Speed of the voice</source>
+        <translation>Velocidade da voz</translation>
+    </message>
+    <message>
+        <source>Slow on the left, fast on the right</source>
+        <translation>Lenta à esquerda, rápida à direita</translation>
+    </message>
+    <message>
+        <source>S&amp;peed of the voice:</source>
+        <translation>V&amp;elocidade da voz:</translation>
+    </message>
+    <message>
+        <source>Loudness</source>
+        <translation>Volume</translation>
+    </message>
+    <message>
+        <source>How loud the voice is</source>
+        <translation>O volume da voz</translation>
+    </message>
+    <message>
+        <source>Lo&amp;udness:</source>
+        <translation>Vol&amp;ume:</translation>
+    </message>
+    <message>
+        <source>Folder of recordings</source>
+        <translation>Pasta das gravações</translation>
+    </message>
+    <message>
+        <source>Where recorded walks are kept</source>
+        <translation>Onde ficam guardados os percursos gravados</translation>
+    </message>
+    <message>
+        <source>&amp;Browse…</source>
+        <translation>&amp;Procurar…</translation>
+    </message>
+    <message>
+        <source>Browse for the folder of recordings</source>
+        <translation>Procurar a pasta das gravações</translation>
+    </message>
+    <message>
+        <source>Choose where recorded walks are kept</source>
+        <translation>Escolha onde ficam guardados os percursos gravados</translation>
+    </message>
+    <message>
+        <source>&amp;Recordings:</source>
+        <translation>&amp;Gravações:</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::SourceDialog</name>
+    <message>
+        <source>&amp;Camera number</source>
+        <translation>Número da &amp;câmara</translation>
+    </message>
+    <message>
+        <source>&amp;Video file</source>
+        <translation>Ficheiro de &amp;vídeo</translation>
+    </message>
+    <message>
+        <source>&amp;Folder of pictures</source>
+        <translation>Pasta de i&amp;magens</translation>
+    </message>
+    <message>
+        <source>Network &amp;address</source>
+        <translation>&amp;Endereço de rede</translation>
+    </message>
+    <message>
+        <source>Open pictures</source>
+        <translation>Abrir imagens</translation>
+    </message>
+    <message>
+        <source>Camera number</source>
+        <translation>Número da câmara</translation>
+    </message>
+    <message>
+        <source>0 is the first camera of this computer</source>
+        <translation>0 é a primeira câmara deste computador</translation>
+    </message>
+    <message>
+        <source>Video file</source>
+        <translation>Ficheiro de vídeo</translation>
+    </message>
+    <message>
+        <source>Folder of pictures</source>
+        <translation>Pasta de imagens</translation>
+    </message>
+    <message>
+        <source>Network address</source>
+        <translation>Endereço de rede</translation>
+    </message>
+    <message>
+        <source>Pictures a second</source>
+        <translation>Imagens por segundo</translation>
+    </message>
+    <message>
+        <source>How many pictures of the folder make a second</source>
+        <translation>Quantas imagens da pasta perfazem um segundo</translation>
+    </message>
+    <message>
+        <source>Pictures a &amp;second:</source>
+        <translation>Imagens por &amp;segundo:</translation>
+    </message>
+    <message>
+        <source>&amp;Browse…</source>
+        <translation>&amp;Procurar…</translation>
+    </message>
+    <message>
+        <source>Browse for a video file</source>
+        <translation>Procurar um ficheiro de vídeo</translation>
+    </message>
+    <message>
+        <source>B&amp;rowse…</source>
+        <translation>P&amp;rocurar…</translation>
+    </message>
+    <message>
+        <source>Browse for a folder</source>
+        <translation>Procurar uma pasta</translation>
+    </message>
+    <message>
+        <source>Open a video</source>
+        <translation>Abrir um vídeo</translation>
+    </message>
+    <message>
+        <source>Videos (%1);;All files (%2)</source>
+        <translation>Vídeos (%1);;Todos os ficheiros (%2)</translation>
+    </message>
+    <message>
+        <source>Open a folder of pictures</source>
+        <translation>Abrir uma pasta de imagens</translation>
+    </message>
+</context>
+<context>
     <name>farol::ui::SpeechDesk</name>
     <message>
         <source>Voice off: sentences are only shown</source>
@@ -1429,6 +1840,397 @@ Abra um com Ctrl+O.</translation>
     <message>
         <source>Open a camera, a video or a folder of pictures first (Ctrl+P).</source>
         <translation>Abra primeiro uma câmara, um vídeo ou uma pasta de imagens (Ctrl+P).</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::WindowActions</name>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Ficheiro</translation>
+    </message>
+    <message>
+        <source>&amp;Walk</source>
+        <translation>&amp;Percurso</translation>
+    </message>
+    <message>
+        <source>V&amp;oice</source>
+        <translation>V&amp;oz</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ver</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Ajuda</translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
+        <translation>&amp;Língua</translation>
+    </message>
+    <message>
+        <source>R&amp;ecent maps</source>
+        <translation>Mapas r&amp;ecentes</translation>
+    </message>
+    <message>
+        <source>Recent landmark li&amp;braries</source>
+        <translation>Bibliotecas recentes de pontos de re&amp;ferência</translation>
+    </message>
+    <message>
+        <source>Recent pi&amp;ctures</source>
+        <translation>Imagens re&amp;centes</translation>
+    </message>
+    <message>
+        <source>&amp;Open map…</source>
+        <translation>&amp;Abrir mapa…</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Mapa</translation>
+    </message>
+    <message>
+        <source>Open the map of a building</source>
+        <translation>Abrir o mapa de um edifício</translation>
+    </message>
+    <message>
+        <source>Open landmark &amp;library…</source>
+        <translation>Abrir &amp;biblioteca de pontos de referência…</translation>
+    </message>
+    <message>
+        <source>Landmarks</source>
+        <translation>Pontos de referência</translation>
+    </message>
+    <message>
+        <source>Open the landmarks that Farol was taught</source>
+        <translation>Abrir os pontos de referência ensinados ao Farol</translation>
+    </message>
+    <message>
+        <source>&amp;Close landmark library</source>
+        <translation>Fec&amp;har a biblioteca de pontos de referência</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fechar</translation>
+    </message>
+    <message>
+        <source>Walk without taught landmarks</source>
+        <translation>Percorrer sem pontos de referência ensinados</translation>
+    </message>
+    <message>
+        <source>Open &amp;pictures…</source>
+        <translation>Abrir &amp;imagens…</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>Imagens</translation>
+    </message>
+    <message>
+        <source>Choose a camera, a video, a folder or an address</source>
+        <translation>Escolher uma câmara, um vídeo, uma pasta ou um endereço</translation>
+    </message>
+    <message>
+        <source>&amp;Settings…</source>
+        <translation>&amp;Definições…</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Definições</translation>
+    </message>
+    <message>
+        <source>Language, voice and what is told</source>
+        <translation>Língua, voz e o que é dito</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Sair</translation>
+    </message>
+    <message>
+        <source>Quit</source>
+        <translation>Sair</translation>
+    </message>
+    <message>
+        <source>Leave Farol</source>
+        <translation>Sair do Farol</translation>
+    </message>
+    <message>
+        <source>&amp;Pause</source>
+        <translation>&amp;Pausa</translation>
+    </message>
+    <message>
+        <source>&amp;Play</source>
+        <translation>&amp;Reproduzir</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pausa</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Reproduzir</translation>
+    </message>
+    <message>
+        <source>Hold the walk</source>
+        <translation>Suspender o percurso</translation>
+    </message>
+    <message>
+        <source>Start the walk, or go on</source>
+        <translation>Iniciar o percurso ou continuar</translation>
+    </message>
+    <message>
+        <source>&amp;One picture</source>
+        <translation>&amp;Uma imagem</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Passo</translation>
+    </message>
+    <message>
+        <source>Go on by one picture, then hold</source>
+        <translation>Avançar uma imagem e suspender</translation>
+    </message>
+    <message>
+        <source>S&amp;top</source>
+        <translation>&amp;Terminar</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Terminar</translation>
+    </message>
+    <message>
+        <source>End the walk</source>
+        <translation>Terminar o percurso</translation>
+    </message>
+    <message>
+        <source>&amp;Faster</source>
+        <translation>Mais &amp;depressa</translation>
+    </message>
+    <message>
+        <source>Faster</source>
+        <translation>Mais depressa</translation>
+    </message>
+    <message>
+        <source>Play faster</source>
+        <translation>Reproduzir mais depressa</translation>
+    </message>
+    <message>
+        <source>&amp;Slower</source>
+        <translation>Mais deva&amp;gar</translation>
+    </message>
+    <message>
+        <source>Slower</source>
+        <translation>Mais devagar</translation>
+    </message>
+    <message>
+        <source>Play slower</source>
+        <translation>Reproduzir mais devagar</translation>
+    </message>
+    <message>
+        <source>Choose &amp;destination</source>
+        <translation>&amp;Escolher destino</translation>
+    </message>
+    <message>
+        <source>Destination</source>
+        <translation>Destino</translation>
+    </message>
+    <message>
+        <source>Choose where to go</source>
+        <translation>Escolher para onde ir</translation>
+    </message>
+    <message>
+        <source>&amp;No destination</source>
+        <translation>&amp;Sem destino</translation>
+    </message>
+    <message>
+        <source>No destination</source>
+        <translation>Sem destino</translation>
+    </message>
+    <message>
+        <source>Give up the destination</source>
+        <translation>Desistir do destino</translation>
+    </message>
+    <message>
+        <source>Choose st&amp;art</source>
+        <translation>Escolher &amp;início</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Início</translation>
+    </message>
+    <message>
+        <source>Say where the walk starts</source>
+        <translation>Dizer onde começa o percurso</translation>
+    </message>
+    <message>
+        <source>&amp;Record the walk</source>
+        <translation>Gra&amp;var o percurso</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>Gravar</translation>
+    </message>
+    <message>
+        <source>Keep the next walk in a folder, to be replayed</source>
+        <translation>Guardar o próximo percurso numa pasta, para ser reproduzido</translation>
+    </message>
+    <message>
+        <source>&amp;Repeat</source>
+        <translation>&amp;Repetir</translation>
+    </message>
+    <message>
+        <source>Repeat</source>
+        <translation>Repetir</translation>
+    </message>
+    <message>
+        <source>Say the last instruction again</source>
+        <translation>Dizer outra vez a última instrução</translation>
+    </message>
+    <message>
+        <source>Voice o&amp;ff</source>
+        <translation>Voz &amp;desligada</translation>
+    </message>
+    <message>
+        <source>Voice off</source>
+        <translation>Voz desligada</translation>
+    </message>
+    <message>
+        <source>Show sentences without speaking them</source>
+        <translation>Mostrar as frases sem as dizer</translation>
+    </message>
+    <message>
+        <source>&amp;Whole floor</source>
+        <translation>Piso &amp;inteiro</translation>
+    </message>
+    <message>
+        <source>Whole floor</source>
+        <translation>Piso inteiro</translation>
+    </message>
+    <message>
+        <source>Show the whole floor</source>
+        <translation>Mostrar o piso inteiro</translation>
+    </message>
+    <message>
+        <source>&amp;Larger map</source>
+        <translation>Mapa &amp;maior</translation>
+    </message>
+    <message>
+        <source>Larger</source>
+        <translation>Maior</translation>
+    </message>
+    <message>
+        <source>Show the map larger</source>
+        <translation>Mostrar o mapa maior</translation>
+    </message>
+    <message>
+        <source>&amp;Smaller map</source>
+        <translation>Mapa me&amp;nor</translation>
+    </message>
+    <message>
+        <source>Smaller</source>
+        <translation>Menor</translation>
+    </message>
+    <message>
+        <source>Show the map smaller</source>
+        <translation>Mostrar o mapa menor</translation>
+    </message>
+    <message>
+        <source>&amp;Follow to other floors</source>
+        <translation>&amp;Seguir para outros pisos</translation>
+    </message>
+    <message>
+        <source>Follow</source>
+        <translation>Seguir</translation>
+    </message>
+    <message>
+        <source>Switch to the floor where you are</source>
+        <translation>Mudar para o piso onde está</translation>
+    </message>
+    <message>
+        <source>&amp;Grid over the picture</source>
+        <translation>&amp;Grelha sobre a imagem</translation>
+    </message>
+    <message>
+        <source>Grid</source>
+        <translation>Grelha</translation>
+    </message>
+    <message>
+        <source>Show the nine parts of the picture</source>
+        <translation>Mostrar as nove partes da imagem</translation>
+    </message>
+    <message>
+        <source>&amp;What was not accepted</source>
+        <translation>O &amp;que não foi aceite</translation>
+    </message>
+    <message>
+        <source>Not accepted</source>
+        <translation>Não aceite</translation>
+    </message>
+    <message>
+        <source>Show what was nearly recognised, and why not</source>
+        <translation>Mostrar o que quase foi reconhecido, e porque não</translation>
+    </message>
+    <message>
+        <source>&amp;Next part of the window</source>
+        <translation>Parte s&amp;eguinte da janela</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Seguinte</translation>
+    </message>
+    <message>
+        <source>Go to the next part of the window</source>
+        <translation>Ir para a parte seguinte da janela</translation>
+    </message>
+    <message>
+        <source>&amp;Previous part of the window</source>
+        <translation>Parte &amp;anterior da janela</translation>
+    </message>
+    <message>
+        <source>Previous</source>
+        <translation>Anterior</translation>
+    </message>
+    <message>
+        <source>Go to the previous part of the window</source>
+        <translation>Ir para a parte anterior da janela</translation>
+    </message>
+    <message>
+        <source>&amp;Keys</source>
+        <translation>&amp;Teclas</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Teclas</translation>
+    </message>
+    <message>
+        <source>Every key of this window</source>
+        <translation>Todas as teclas desta janela</translation>
+    </message>
+    <message>
+        <source>&amp;About Farol</source>
+        <translation>&amp;Acerca do Farol</translation>
+    </message>
+    <message>
+        <source>About</source>
+        <translation>Acerca</translation>
+    </message>
+    <message>
+        <source>What Farol is</source>
+        <translation>O que é o Farol</translation>
+    </message>
+    <message>
+        <source>Walk</source>
+        <translation>Percurso</translation>
+    </message>
+    <message>
+        <source>&amp;Speed:</source>
+        <translation>&amp;Velocidade:</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Velocidade</translation>
+    </message>
+    <message>
+        <source>How fast pictures from files are played</source>
+        <translation>A que velocidade são reproduzidas as imagens de ficheiros</translation>
     </message>
 </context>
 <context>

@@ -37,8 +37,8 @@ void printFindings(const std::vector<Finding>& findings, std::FILE* out) {
     for (const Finding& finding : findings) {
         std::string ids;
         // Long lists help nobody on a terminal; --json has them all.
-        for (std::size_t i = 0; i < finding.ids.size() && i < 10; ++i) ids += (i == 0 ? "" : ", ") + finding.ids[i];
-        if (finding.ids.size() > 10) ids += ", and " + std::to_string(finding.ids.size() - 10) + " more";
+        for (std::size_t i = 0; i < finding.ids.size() && i < 20; ++i) ids += (i == 0 ? "" : ", ") + finding.ids[i];
+        if (finding.ids.size() > 20) ids += ", and " + std::to_string(finding.ids.size() - 20) + " more";
         std::string line = building::severityName(finding.severity) + ": " + finding.message + " [" + finding.rule +
                            (ids.empty() ? "" : ": " + ids) + "]";
         std::fprintf(out, "%s\n", line.c_str());

@@ -1,6 +1,7 @@
 #include "core/building/checks.h"
 
 #include "core/base/text.h"
+#include "core/building/geometry_checks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,6 +26,7 @@ std::string ringFault(const Ring& ring) {
     if (ring.size() < 3) return "has fewer than three corners";
     if (!std::all_of(ring.begin(), ring.end(), isFinite)) return "has a coordinate that is no number";
     if (std::abs(signedArea(ring)) < 1e-6) return "has no area";
+    if (ring.size() > 200) return crossesItself({ring, {}}) ? "crosses itself" : ""; // the pairs below would take long
     for (std::size_t i = 0; i < ring.size(); ++i)
         for (std::size_t j = i + 2; j < ring.size(); ++j)
             if (segmentsCross(ring[i], ring[i + 1], ring[j], ring[(j + 1) % ring.size()])) return "crosses itself";
@@ -194,6 +196,8 @@ std::vector<Finding> checkBuilding(const Building& building) {
     checkUnique(building.accesses(), "accesses", "access", findings);
     checkUnique(building.landmarks(), "landmarks", "landmark", findings);
     checkRegions(building, findings);
+    checkOutlines(building, findings);
+    checkTables(building, findings);
     checkLevels(building, findings);
     for (const Access& access : building.accesses()) checkAccess(building, access, findings);
     checkLandmarks(building, findings);

@@ -99,7 +99,7 @@ TEST(Describe, countsWhatIsThere) {
 TEST(Checks, aSoundMapHasNoErrors) {
     BuildingData data = twoRoomsAndABar().data();
     EXPECT_THAT(rulesOf(data, Severity::Error), IsEmpty());
-    EXPECT_THAT(rulesOf(data, Severity::Warning), ElementsAre("regions-connected"));
+    EXPECT_THAT(rulesOf(data, Severity::Warning), ElementsAre("region-has-access", "regions-connected"));
 }
 
 TEST(Checks, nameEveryFault) {

@@ -17,6 +17,8 @@ constexpr std::array<double, 3> kReachesM{0.3, 0.6, 1.0};
 constexpr double kLeastShare = 0.2;
 /// A second candidate with this part of the best one's share makes the answer a guess.
 constexpr double kRivalShare = 0.7;
+/// As near as this a door is drawn on a region.
+constexpr double kOnBorderM = 0.1;
 constexpr int kAlong = 5, kAcross = 6;
 
 struct Candidate {
@@ -57,6 +59,7 @@ public:
     void run() {
         for (Access& access : m_data.accesses) {
             if (access.line.empty() || (!access.regionA.empty() && !access.regionB.empty())) continue;
+            if (access.regionA.empty() && access.regionB.empty()) tellOddOnes(access);
             std::optional<Joined> joined;
             for (double reach : kReachesM) {
                 joined = isLine(access.line) ? besideLine(access, reach) : aroundPoint(access, reach);
@@ -69,6 +72,22 @@ public:
 
 private:
     const RegionId& idOf(std::size_t region) const { return m_data.regions[region].id; }
+
+    /// Before anything is mended: how many regions does the access lie on as it is drawn?
+    void tellOddOnes(const Access& access) {
+        std::size_t touched = 0;
+        Polyline spots{access.line.front(), access.midpoint(), access.line.back()};
+        for (std::size_t region : m_index.meeting(access.level, grown(*boundingBox(access.line), kOnBorderM))) {
+            const Polygon& polygon = m_data.regions[region].polygon;
+            touched += std::any_of(spots.begin(), spots.end(), [&](Point2 spot) {
+                           return distanceToPolygon(polygon, spot) <= kOnBorderM;
+                       }) ? 1U : 0U;
+        }
+        if (touched == 2) return;
+        m_findings.add(Severity::Note, "access-touches-two-regions",
+                       touched < 2 ? "accesses are drawn on fewer than two regions" : "accesses are drawn on more than two regions",
+                       "accesses", access.id.value);
+    }
 
     bool allowed(const Access& access, std::size_t region) const {
         // One side that the source names must be one of the two.

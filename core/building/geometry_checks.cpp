@@ -1,0 +1,196 @@
+#include "core/building/geometry_checks.h"
+
+#include "core/base/ogr.h"
+#include "core/base/text.h"
+#include "core/building/import/local_plane.h"
+#include "core/building/level_regions.h"
+
+#include <ogrsf_frmts.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+namespace farol::building {
+
+namespace {
+
+using Findings = std::vector<Finding>;
+
+constexpr double kSliverWidthM = 0.25, kLeastAreaM2 = 0.1;
+/// Shared borders drawn by hand overlap by less than this part of the smaller region.
+constexpr double kOverlapShare = 0.05, kInsideShare = 0.95;
+/// Overlaps looked at per region on average; a map in which everything overlaps is told soon enough.
+constexpr std::size_t kMostPairsEach = 20;
+
+std::string quoted(const std::string& id) { return "\"" + id + "\""; }
+
+double perimeter(const Ring& ring) {
+    double sum = ring.empty() ? 0.0 : distance(ring.back(), ring.front());
+    return sum + length(Polyline(ring));
+}
+
+/// Of a long thin shape, nearly its width.
+double meanWidth(const Polygon& polygon) {
+    double around = perimeter(polygon.outer);
+    for (const Ring& hole : polygon.holes) around += perimeter(hole);
+    return around > 0.0 ? 2.0 * area(polygon) / around : 0.0;
+}
+
+std::string percent(double share) { return std::to_string(static_cast<int>(std::lround(share * 100.0))) + " %"; }
+
+class OverlapCheck {
+public:
+    OverlapCheck(const Building& building, Findings& findings)
+        : m_building(building), m_findings(findings), m_index(building.regions()) {}
+
+    void run() {
+        std::size_t left = 1000 + kMostPairsEach * m_building.regions().size();
+        for (std::size_t a = 0; a < m_building.regions().size() && left > 0; ++a) {
+            const Region& region = m_building.regions()[a];
+            auto box = boundingBox(region.polygon.outer);
+            if (!box || region.polygon.outer.size() < 3) continue;
+            for (std::size_t b : m_index.meeting(region.level, *box)) {
+                if (b <= a || m_building.regions()[b].polygon.outer.size() < 3) continue;
+                if (left == 0 || --left == 0) break;
+                compare(region, m_building.regions()[b]);
+            }
+        }
+        if (left == 0)
+            m_findings.push_back({Severity::Warning, "region-overlap",
+                                  "so many regions overlap that not all pairs were compared; are all levels drawn on one?",
+                                  "regions", {}});
+    }
+
+private:
+    void compare(const Region& a, const Region& b) {
+        Box2 one = *boundingBox(a.polygon.outer), other = *boundingBox(b.polygon.outer);
+        double width = std::min(one.high.x, other.high.x) - std::max(one.low.x, other.low.x);
+        double height = std::min(one.high.y, other.high.y) - std::max(one.low.y, other.low.y);
+        double smaller = std::min(area(a.polygon), area(b.polygon)), larger = std::max(area(a.polygon), area(b.polygon));
+        double least = std::max(kLeastAreaM2, kOverlapShare * smaller);
+        if (width * height < least || smaller <= 0.0) return; // borders only
+        GdalMessages quiet;
+        GeometryPtr first = ogrPolygon(a.polygon), second = ogrPolygon(b.polygon);
+        GeometryPtr both(first != nullptr && second != nullptr ? first->Intersection(second.get()) : nullptr);
+        double shared = 0.0;
+        for (const Polygon& part : polygonsOf(both.get(), 0.0)) shared += area(part);
+        if (shared >= least) tell(a, b, shared / smaller, smaller / larger);
+    }
+
+    void tell(const Region& a, const Region& b, double share, double ratio) {
+        std::string names = "regions " + quoted(a.id.value) + " and " + quoted(b.id.value);
+        std::vector<std::string> ids{a.id.value, b.id.value};
+        if (share > kInsideShare && ratio > kInsideShare)
+            m_findings.push_back({Severity::Warning, "region-duplicate", names + " have the same outline; remove one", "regions", ids});
+        else if (share > kInsideShare)
+            m_findings.push_back({Severity::Note, "region-inside",
+                                  names + ": the smaller lies inside the larger; cut it out of the larger one, unless it is a "
+                                          "part of it", "regions", ids});
+        else
+            m_findings.push_back({Severity::Warning, "region-overlap",
+                                  names + " overlap by " + percent(share) + " of the smaller; draw the border between them",
+                                  "regions", ids});
+    }
+
+    const Building& m_building;
+    Findings& m_findings;
+    LevelRegions m_index;
+};
+
+void checkShafts(const Building& building, Findings& findings) {
+    std::map<ShaftId, std::set<double>> served;
+    for (const Access& access : building.accesses()) {
+        if (access.shaft.empty()) continue;
+        for (const RegionId* side : {&access.regionA, &access.regionB})
+            if (const Region* region = building.region(*side)) served[access.shaft].insert(region->level);
+    }
+    for (const auto& [shaft, levels] : served) {
+        std::string missing;
+        for (const Level& level : building.levels())
+            if (level.ordinal == std::floor(level.ordinal) && level.ordinal > *levels.begin() &&
+                level.ordinal < *levels.rbegin() && levels.count(level.ordinal) == 0)
+                missing += (missing.empty() ? "" : ", ") + formatNumber(level.ordinal);
+        if (!missing.empty())
+            findings.push_back({Severity::Warning, "shaft-misses-level",
+                                "shaft " + quoted(shaft.value) + " passes level " + missing +
+                                    " without an access there; add it, unless it does not stop there",
+                                "accesses", {shaft.value}});
+    }
+}
+
+void checkRefs(const Building& building, Findings& findings) {
+    std::map<std::pair<double, std::string>, std::vector<std::string>> regions;
+    for (const Region& region : building.regions())
+        if (!region.ref.empty()) regions[{region.level, foldedForMatching(region.ref)}].push_back(region.id.value);
+    for (const auto& [ref, ids] : regions)
+        if (ids.size() > 1)
+            findings.push_back({Severity::Warning, "region-ref-unique",
+                                std::to_string(ids.size()) + " regions of level " + formatNumber(ref.first) + " have the ref " +
+                                    quoted(ref.second) + ": people are led to the wrong one; correct it", "regions", ids});
+}
+
+void checkSize(const Building& building, Findings& findings) {
+    std::optional<Box2> all;
+    for (const Region& region : building.regions())
+        for (Point2 p : region.polygon.outer) {
+            if (!isFinite(p)) return;
+            if (!all) all = Box2{p, p};
+            all = Box2{{std::min(all->low.x, p.x), std::min(all->low.y, p.y)},
+                       {std::max(all->high.x, p.x), std::max(all->high.y, p.y)}};
+        }
+    if (all && building.regions().size() > 1 && std::max(all->width(), all->height()) < 0.3)
+        findings.push_back({Severity::Error, "crs-degrees-for-metres",
+                            "the whole building is smaller than 0.3 m: its coordinates are degrees, not metres; import or "
+                            "reproject it", "regions", {}});
+}
+
+void checkDoors(const Building& building, Findings& findings) {
+    std::vector<std::string> without;
+    for (std::size_t i = 0; i < building.regions().size(); ++i)
+        if (building.neighboursOf(i).empty()) without.push_back(building.regions()[i].id.value);
+    if (!without.empty() && building.regions().size() > 1)
+        findings.push_back({Severity::Warning, "region-has-access",
+                            (without.size() == 1 ? "1 region has" : std::to_string(without.size()) + " regions have") +
+                                " no door or other access that joins another region: nobody can be led there; add it",
+                            "regions", without});
+}
+
+} // namespace
+
+bool crossesItself(const Polygon& polygon) {
+    GdalMessages quiet;
+    OGRPolygon shape;
+    auto add = [&](const Ring& points) {
+        OGRLinearRing ring;
+        for (Point2 p : points) ring.addPoint(p.x, p.y);
+        ring.closeRings();
+        shape.addRing(&ring);
+    };
+    add(polygon.outer);
+    for (const Ring& hole : polygon.holes) add(hole);
+    return shape.IsValid() == FALSE;
+}
+
+void checkOutlines(const Building& building, Findings& findings) {
+    for (const Region& region : building.regions()) {
+        if (region.polygon.outer.size() < 3 || std::abs(signedArea(region.polygon.outer)) < 1e-6) continue; // told otherwise
+        double width = meanWidth(region.polygon);
+        if (width < kSliverWidthM)
+            findings.push_back({Severity::Warning, "region-sliver",
+                                "region " + quoted(region.id.value) + " is a sliver, about " +
+                                    formatNumber(std::round(width * 100.0) / 100.0) +
+                                    " m wide: nobody stands there; join it to its neighbour", "regions", {region.id.value}});
+    }
+    OverlapCheck(building, findings).run();
+}
+
+void checkTables(const Building& building, Findings& findings) {
+    checkSize(building, findings);
+    checkRefs(building, findings);
+    checkShafts(building, findings);
+    checkDoors(building, findings);
+}
+
+} // namespace farol::building

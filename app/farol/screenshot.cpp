@@ -32,7 +32,6 @@ Screenshot::Screenshot(ui::MainWindow& window, QString file, int after)
 void Screenshot::take(int exitCode) {
     if (m_taken) return;
     m_taken = true;
-    m_window.walk().pause();
     QTimer::singleShot(kSettleMs, this, [this, exitCode] {
         const bool saved = m_window.grab().save(m_file);
         if (!saved) std::fprintf(stderr, "farol: %s cannot be written\n", qPrintable(m_file));

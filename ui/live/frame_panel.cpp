@@ -16,6 +16,7 @@ FramePanel::FramePanel(QWidget* parent)
     : QWidget(parent), m_view(new FrameView(this)), m_title(panelTitle(this)), m_when(new QLabel(this)),
       m_cost(new QLabel(this)) {
     auto* facts = new QHBoxLayout;
+    facts->setContentsMargins(0, 0, 6, 0);
     facts->addWidget(m_when);
     facts->addStretch();
     facts->addWidget(m_cost);

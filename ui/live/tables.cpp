@@ -17,6 +17,7 @@ QLabel* panelTitle(QWidget* parent) {
     font.setBold(true);
     label->setFont(font);
     label->setTextFormat(Qt::PlainText);
+    label->setMinimumHeight(label->fontMetrics().height() + 10); // level with headings that stand beside buttons
     return label;
 }
 

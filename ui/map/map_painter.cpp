@@ -16,7 +16,9 @@ namespace farol::ui {
 namespace {
 
 constexpr double kSymbolsFromScale = 3.0;  // pixels a metre; smaller maps would be all symbols
-constexpr double kLandmarkSize = 17.0;
+constexpr double kLargestSymbol = 17.0;
+constexpr double kSmallestSymbol = 6.0;  // a plain dot
+constexpr double kGlyphFrom = 12.0;      // smaller symbols have no drawing inside
 
 QPolygonF toScreen(const Polyline& line, const ViewTransform& view) {
     QPolygonF polygon;
@@ -38,6 +40,10 @@ QColor withAlpha(QColor colour, int alpha) {
 MapPainter::MapPainter(const MapScene& scene, double level, const ViewTransform& view, const MapColours& colours,
                        QFont font)
     : m_scene(scene), m_level(scene.level(level)), m_view(view), m_colours(colours), m_font(std::move(font)) {}
+
+double MapPainter::symbolSize() const {
+    return std::clamp(m_view.pixelsPerMetre() * 0.9, kSmallestSymbol, kLargestSymbol);
+}
 
 void MapPainter::paintGround(QPainter& painter) const {
     painter.fillRect(QRectF(QPointF(), m_view.size()), m_colours.outside);
@@ -116,53 +122,63 @@ void MapPainter::paintAccess(QPainter& painter, const AccessShape& shape) const 
 void MapPainter::paintLandmark(QPainter& painter, const building::Landmark& landmark) const {
     const QPointF at = screen(landmark.position);
     const QColor colour = kindColour(landmark.kind, m_colours.dark);
+    const double size = symbolSize();
     if (landmark.heading) { // a short stroke the way it faces
         const double turn = landmark.heading->value;
-        painter.setPen(roundPen(colour, 2.0));
-        painter.drawLine(at, at + QPointF(std::cos(turn), -std::sin(turn)) * (kLandmarkSize * 0.85));
+        painter.setPen(roundPen(colour, size < kGlyphFrom ? 1.4 : 2.0));
+        painter.drawLine(at, at + QPointF(std::cos(turn), -std::sin(turn)) * (size * 0.9));
+    }
+    if (size < kGlyphFrom) {
+        painter.setPen(QPen(m_colours.floor, 1.0));
+        painter.setBrush(colour);
+        painter.drawEllipse(at, size / 2, size / 2);
+        painter.setBrush(Qt::NoBrush);
+        return;
     }
     painter.setPen(QPen(colour, 1.4));
     painter.setBrush(m_colours.floor);
-    const double half = kLandmarkSize / 2;
-    painter.drawRoundedRect(QRectF(at.x() - half, at.y() - half, kLandmarkSize, kLandmarkSize), 4.0, 4.0);
+    painter.drawRoundedRect(QRectF(at.x() - size / 2, at.y() - size / 2, size, size), 4.0, 4.0);
     painter.setBrush(Qt::NoBrush);
-    paintGlyph(painter, pathOf(landmark.kind), at, kLandmarkSize - 4.0, colour);
+    paintGlyph(painter, pathOf(landmark.kind), at, size - 4.0, colour);
 }
 
-void MapPainter::paintText(QPainter& painter, QPointF centre, const QString& text) const {
+void MapPainter::paintText(QPainter& painter, QPointF centre, const QString& text, bool upright) const {
     const QFontMetricsF metrics(m_font);
-    const QRectF box = metrics.boundingRect(text);
     QPainterPath path;
-    path.addText(centre - box.center(), m_font, text);
-    painter.setPen(QPen(withAlpha(m_colours.halo, 210), 3.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    path.addText(-metrics.boundingRect(text).center(), m_font, text);
+    painter.save();
+    painter.translate(centre);
+    if (upright) painter.rotate(-90.0);
+    painter.setPen(QPen(withAlpha(m_colours.halo, 225), 3.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     painter.setBrush(Qt::NoBrush);
     painter.drawPath(path);
     painter.setPen(Qt::NoPen);
     painter.setBrush(m_colours.text);
     painter.drawPath(path);
-    painter.setBrush(Qt::NoBrush);
+    painter.restore();
 }
 
 void MapPainter::paintNames(QPainter& painter) const {
     const QFontMetricsF metrics(m_font);
-    std::vector<QRectF> taken; // landmarks' symbols and names already set keep their place
-    if (m_view.pixelsPerMetre() >= kSymbolsFromScale)
-        for (const std::size_t index : m_level->landmarks) {
-            const QPointF at = screen(m_scene.building().landmarks()[index].position);
-            taken.emplace_back(at.x() - 9, at.y() - 9, 18, 18);
-        }
+    std::vector<QRectF> taken; // names already set keep their place
     for (const RegionShape& shape : m_level->regions) {
-        const double width = metrics.horizontalAdvance(shape.label) + 6.0;
-        const double height = metrics.height();
-        const double room = std::max(shape.bounds.width(), shape.bounds.height()) * m_view.pixelsPerMetre();
-        if (room < 0.55 * width) continue; // a name much longer than its room would only cover the others
+        const double scale = m_view.pixelsPerMetre();
+        const double width = metrics.horizontalAdvance(shape.label);
+        const double roomAcross = shape.bounds.width() * scale;
+        const double roomUp = shape.bounds.height() * scale;
+        const bool upright = width > roomAcross && roomUp > 1.5 * roomAcross;
+        const double along = upright ? roomUp : roomAcross;
+        const double across = upright ? roomAcross : roomUp;
+        // A name that does not fit would be taken for the neighbour's; the pointer and the list tell it.
+        if (width > 1.1 * along || metrics.height() > 1.6 * across) continue;
         const QPointF home = screen(shape.labelAt);
-        for (const double shift : {0.0, -height, height, -2 * height, 2 * height}) {
-            const QPointF centre = home + QPointF(0, shift);
-            const QRectF box(centre.x() - width / 2, centre.y() - height / 2, width, height);
-            const bool free = std::none_of(taken.begin(), taken.end(), [&](const QRectF& other) { return other.intersects(box); });
-            if (!free) continue;
-            paintText(painter, centre, shape.label);
+        const QSizeF size = upright ? QSizeF(metrics.height(), width) : QSizeF(width, metrics.height());
+        const double slack = std::max(0.0, (along - width) / 2);
+        for (const double share : {0.0, -0.5, 0.5, -1.0, 1.0}) {
+            const QPointF centre = home + (upright ? QPointF(0, share * slack) : QPointF(share * slack, 0));
+            const QRectF box(centre.x() - size.width() / 2, centre.y() - size.height() / 2, size.width(), size.height());
+            if (std::any_of(taken.begin(), taken.end(), [&](const QRectF& other) { return other.intersects(box); })) continue;
+            paintText(painter, centre, shape.label, upright);
             taken.push_back(box);
             break;
         }

@@ -33,7 +33,8 @@ private:
     void paintArrows(QPainter& painter, const QPolygonF& line) const;
     void paintPlaceMark(QPainter& painter, const MapOverlay& overlay) const;
     void paintPin(QPainter& painter, const RegionId& region, const QColor& colour) const;
-    void paintText(QPainter& painter, QPointF centre, const QString& text) const;
+    void paintText(QPainter& painter, QPointF centre, const QString& text, bool upright) const;
+    double symbolSize() const;
     QPointF screen(Point2 p) const { return m_view.screenFromMap(p); }
 
     const MapScene& m_scene;

@@ -77,20 +77,40 @@ TEST(ImportOsm, EmergencyExitsAreNoWay) {
     EXPECT_EQ(closed, 1);
 }
 
+/// The region that the opening at this end of the steps leads to.
+std::string endOf(const RawMap& map, const std::string& half) {
+    const Access* opening = accessOf(map, half + "/end");
+    return opening == nullptr ? "none" : opening->regionA.value;
+}
+
 TEST(ImportOsm, StepsLeadFromTheLowerToTheUpperLevel) {
     RawMap map = house();
     const Access* steps = accessOf(map, "way/21");
     ASSERT_NE(steps, nullptr);
     EXPECT_EQ(steps->kind, AccessKind::Stairs);
-    EXPECT_EQ(steps->regionA.value, "way/10");
-    EXPECT_EQ(steps->regionB.value, "way/20");
+    EXPECT_EQ(steps->regionA.value, "way/21@0");
+    EXPECT_EQ(steps->regionB.value, "way/21@1");
     EXPECT_EQ(steps->level, 0.0);
     EXPECT_EQ(steps->steps, 18);
     EXPECT_EQ(steps->oneWay, OneWay::No);
+    EXPECT_EQ(regionOf(map, "way/21@0")->kind, RegionKind::Stairwell);
+    EXPECT_EQ(endOf(map, "way/21@0"), "way/10");
+    EXPECT_EQ(endOf(map, "way/21@1"), "way/20");
+    for (const RegionId& half : {steps->regionA, steps->regionB})
+        EXPECT_LT(distanceToPolygon(regionOf(map, half.value)->polygon, steps->midpoint()), 1e-7);
+}
+
+TEST(ImportOsm, AnEscalatorRunsOneWay) {
+    RawMap map = house();
     const Access* escalator = accessOf(map, "way/22");
     ASSERT_NE(escalator, nullptr);
     EXPECT_EQ(escalator->kind, AccessKind::Escalator);
     EXPECT_EQ(escalator->oneWay, OneWay::BToA); // drawn upwards, runs down
+    EXPECT_EQ(escalator->regionA.value, "way/22@0");
+    const Access* drawnDownwards = accessOf(map, "way/24");
+    ASSERT_NE(drawnDownwards, nullptr);
+    EXPECT_EQ(drawnDownwards->regionA.value, "way/24@0");
+    EXPECT_EQ(drawnDownwards->oneWay, OneWay::BToA); // forward along a way that falls: down
 }
 
 TEST(ImportOsm, ALiftIsAShaftThroughItsLevels) {

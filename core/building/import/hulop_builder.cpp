@@ -2,6 +2,7 @@
 
 #include "core/base/ogr.h"
 #include "core/base/text.h"
+#include "core/building/import/strips.h"
 
 #include <ogrsf_frmts.h>
 
@@ -21,48 +22,6 @@ Point2 centreOf(const HulopRecords& records) {
     for (const HulopNode& node : records.nodes)
         if (node.at) return *node.at;
     return {};
-}
-
-Point2 unit(Point2 v) {
-    double size = length(v);
-    return size > 0.0 ? v * (1.0 / size) : Point2{};
-}
-
-/// The first half of the line and the direction in which it is cut.
-std::pair<Polyline, Point2> firstHalf(const Polyline& line) {
-    double rest = length(line) / 2;
-    Polyline half{line.front()};
-    for (std::size_t i = 1; i < line.size(); ++i) {
-        double step = distance(line[i - 1], line[i]);
-        Point2 along = unit(line[i] - line[i - 1]);
-        if (step >= rest) {
-            half.push_back(line[i - 1] + along * rest);
-            return {half, along};
-        }
-        rest -= step;
-        half.push_back(line[i]);
-    }
-    return {half, unit(line.back() - line.front())};
-}
-
-Polygon octagon(Point2 at, double radius) {
-    Polygon polygon;
-    for (int k = 0; k < 8; ++k) {
-        double angle = (k + 0.5) * 3.14159265358979323846 / 4;
-        polygon.outer.push_back(at + Point2{std::cos(angle), std::sin(angle)} * radius);
-    }
-    return polygon;
-}
-
-/// Rectangles along the line and a joint at each vertex but the last, where the strip ends straight.
-void appendStrip(const Polyline& line, double halfWidth, std::vector<Polygon>& strips) {
-    for (std::size_t i = 1; i < line.size(); ++i) {
-        Point2 along = unit(line[i] - line[i - 1]);
-        Point2 side = Point2{-along.y, along.x} * halfWidth;
-        if (length(along) <= 0.0) continue;
-        strips.push_back({{line[i - 1] - side, line[i] - side, line[i] + side, line[i - 1] + side}, {}});
-        if (i > 1) strips.push_back(octagon(line[i - 1], halfWidth));
-    }
 }
 
 } // namespace
@@ -215,15 +174,8 @@ void HulopBuilder::nameShafts() {
 
 void HulopBuilder::shapeRegions() {
     for (auto& [id, place] : m_places) {
-        std::vector<GeometryPtr> parts;
         place.strips.push_back(octagon(place.at, place.reachM));
-        for (const Polygon& strip : place.strips)
-            if (auto part = ogrPolygon(strip)) parts.push_back(std::move(part));
-        GeometryPtr joined = unionOf(parts);
-        std::vector<Polygon> polygons = polygonsOf(joined.get(), 0.0);
-        auto smaller = [](const Polygon& a, const Polygon& b) { return area(a) < area(b); };
-        m_map.data.regions[place.region].polygon =
-            polygons.empty() ? octagon(place.at, 1.0) : *std::max_element(polygons.begin(), polygons.end(), smaller);
+        m_map.data.regions[place.region].polygon = joinedStrips(place.strips).value_or(octagon(place.at, 1.0));
         if (place.links == 0) note(Severity::Warning, "hulop-node-alone", "no link leads to the node", id);
     }
 }
@@ -255,7 +207,7 @@ void HulopBuilder::addFacilities() {
 void HulopBuilder::addFacilityAt(const HulopFacility& facility, const HulopEntrance& entrance, const Place& place) {
     Point2 towards{0.0, 1.0};
     if (facility.at && distance(m_plane.toMetres(*facility.at), place.at) > 0.1)
-        towards = unit(m_plane.toMetres(*facility.at) - place.at);
+        towards = unitVector(m_plane.toMetres(*facility.at) - place.at);
     Point2 side{-towards.y, towards.x};
     // From where the node's own region ends in that direction, so that the two meet and do not overlap much.
     Point2 near = place.at + towards * place.reachM, far = near + towards * kFacilitySideM;

@@ -17,6 +17,7 @@ constexpr std::size_t kMaxRegions = 20000;
 constexpr double kWalkWidthM = 2.0;
 constexpr double kLeastAreaM2 = 0.5;
 constexpr double kLiftSideM = 1.6;
+constexpr double kLandmarkReachM = 3.0;
 
 Point2 centreOf(const std::vector<TaggedFeature>& features) {
     for (const TaggedFeature& feature : features) {
@@ -43,6 +44,10 @@ OsmBuilder::NodeKey OsmBuilder::keyOf(Point2 degrees) {
     return {std::llround(degrees.x * 1e7), std::llround(degrees.y * 1e7)};
 }
 
+Error OsmBuilder::tooMuch() const {
+    return {ErrorCode::Corrupt, "makes more than 20,000 regions on its levels: cut the building out of it", m_context};
+}
+
 Result<RawMap> OsmBuilder::build() {
     m_map.coordinates = RawCoordinates::Geographic;
     m_map.openBoundaries = true;
@@ -50,15 +55,15 @@ Result<RawMap> OsmBuilder::build() {
     addLifts();
     collectWalkLines();
     addWalkRegions();
-    if (m_tooMuch)
-        return Error{ErrorCode::Corrupt, "makes more than 20,000 regions on its levels: cut the building out of it", m_context};
+    if (m_tooMuch) return tooMuch();
     if (m_map.data.regions.empty())
         return Error{ErrorCode::UnsupportedFormat,
                      "holds no indoor areas: rooms, corridors and areas must be tagged indoor=* with a level", m_context};
     addDoors();
     addRoomOpenings();
-    addSteps();
     joinLonelyLifts();
+    addSteps();
+    if (m_tooMuch) return tooMuch();
     addWalls();
     addLandmarks();
     addLevelRows();
@@ -294,6 +299,10 @@ void OsmBuilder::addLandmarks() {
             continue;
         }
         for (double level : levels) {
+            if (!regionAt(at, level, kLandmarkReachM)) {
+                note(Severity::Warning, "osm-landmark-outside", "left out: no region of its level lies within 3 m", feature.id);
+                continue;
+            }
             Landmark landmark;
             landmark.id = LandmarkId(feature.id + (levels.size() > 1 ? "@" + formatNumber(level) : ""));
             landmark.kind = role->kind;

@@ -35,6 +35,7 @@ private:
         Polyline line;
     };
 
+    Error tooMuch() const;
     static NodeKey keyOf(Point2 degrees);
     std::vector<double> levelsOf(const TaggedFeature& feature);
     std::vector<double> levelsOrGround(const TaggedFeature& feature);
@@ -60,6 +61,10 @@ private:
     void addOpening(const WalkLine& walk, std::size_t room, Point2 at);
     void addSteps();
     void addFlight(const TaggedFeature& feature, const Polyline& line);
+    void addStairs(const TaggedFeature& feature, const Polyline& climb, std::pair<double, double> levels,
+                   std::pair<std::optional<std::size_t>, std::optional<std::size_t>> ends, bool rises);
+    std::optional<std::size_t> addStairsHalf(const TaggedFeature& feature, const Polyline& half, double level, double width,
+                                             std::optional<std::size_t> end);
     void joinLonelyLifts();
 
     std::optional<std::size_t> regionAt(Point2 metres, double level, double reach,
@@ -81,6 +86,9 @@ private:
     std::set<std::pair<RegionId, RegionId>> m_linked;
     std::vector<WalkLine> m_walks;
     std::map<std::string, Finding> m_notes;
+    std::set<std::string> m_stairIds;
+    std::map<double, int> m_escalators;
+    std::size_t m_stairsFrom = static_cast<std::size_t>(-1); ///< regions from here on are halves of steps
     bool m_tooMuch = false;
 };
 

@@ -2,6 +2,7 @@
 
 #include "core/base/ogr.h"
 #include "core/base/text.h"
+#include "core/building/import/strips.h"
 
 #include <ogrsf_frmts.h>
 
@@ -13,7 +14,7 @@ namespace farol::building {
 namespace {
 
 constexpr std::size_t kMaxAccesses = 50000;
-constexpr double kDoorWidthM = 1.0;
+constexpr double kDoorWidthM = 1.0, kStairsWidthM = 1.2;
 constexpr double kReachM = 0.7; ///< how far a line's end may miss the area it leads to
 
 Box2 boxOf(const Polyline& line) { return boundingBox(line).value_or(Box2{}); }
@@ -50,7 +51,7 @@ std::optional<std::size_t> OsmBuilder::regionAt(Point2 metres, double level, dou
         const Box2& box = m_boxes[index];
         bool near = metres.x >= box.low.x - reach && metres.x <= box.high.x + reach && metres.y >= box.low.y - reach &&
                     metres.y <= box.high.y + reach;
-        if (!near || index == except) continue;
+        if (!near || index == except || index >= m_stairsFrom) continue;
         double gap = distanceToPolygon(m_map.data.regions[index].polygon, metres);
         if (gap > bestGap) continue;
         double size = area(m_map.data.regions[index].polygon);
@@ -188,11 +189,12 @@ void OsmBuilder::addOpening(const WalkLine& walk, std::size_t room, Point2 at) {
 }
 
 void OsmBuilder::addSteps() {
+    m_stairsFrom = m_map.data.regions.size(); // other steps are no place to arrive at, unless there is nothing else
     for (const TaggedFeature& feature : m_features) {
         if (!isOsmSteps(feature) || levelsOf(feature).size() < 2) continue;
         for (Polyline line : feature.lines) {
             for (Point2& point : line) point = m_plane.toMetres(point);
-            if (m_map.data.accesses.size() < kMaxAccesses) addFlight(feature, line);
+            if (m_map.data.accesses.size() < kMaxAccesses && !m_tooMuch) addFlight(feature, line);
         }
     }
 }
@@ -214,26 +216,88 @@ void OsmBuilder::addFlight(const TaggedFeature& feature, const Polyline& line) {
         note(Severity::Warning, "osm-steps-incline", "nothing tells which end of the steps is up; the first was taken as the lower: add incline", feature.id);
     if (!first || !last)
         note(Severity::Warning, "osm-steps-end", "no region lies at an end of the steps: draw the area or way it leads to", feature.id);
+    Polyline climb = line;
+    if (!rises) {
+        std::reverse(climb.begin(), climb.end());
+        std::swap(first, last);
+    }
+    addStairs(feature, climb, {low, high}, {first, last}, rises);
+}
+
+/// The lower half of the steps is a region of the lower level and the upper half one of the upper level: so the place
+/// where they join lies in both, and foot and head lead on where they really are. `climb` runs upwards.
+void OsmBuilder::addStairs(const TaggedFeature& feature, const Polyline& climb, std::pair<double, double> levels,
+                           std::pair<std::optional<std::size_t>, std::optional<std::size_t>> ends, bool rises) {
+    double width = std::clamp(plainNumber(feature.tag("width")).value_or(kStairsWidthM), 0.6, 10.0);
+    Polyline fall(climb.rbegin(), climb.rend());
+    auto [lower, along] = firstHalf(climb);
+    auto upper = firstHalf(fall).first;
+    auto foot = addStairsHalf(feature, lower, levels.first, width, ends.first);
+    auto head = addStairsHalf(feature, upper, levels.second, width, ends.second);
+    if (!foot || !head) {
+        note(Severity::Warning, "osm-steps-short", "steps left out: their line has no length", feature.id);
+        return;
+    }
+    bool moving = feature.has("conveying") && !feature.is("conveying", "no");
     Access access;
     access.id = AccessId(accessId(feature.id));
-    bool moving = feature.has("conveying") && !feature.is("conveying", "no");
     access.kind = moving ? AccessKind::Escalator : AccessKind::Stairs;
-    access.level = rises ? low : high;
-    if (first) access.regionA = m_map.data.regions[*first].id;
-    if (last) access.regionB = m_map.data.regions[*last].id;
-    if (feature.is("conveying", "forward")) access.oneWay = OneWay::AToB;
-    if (feature.is("conveying", "backward")) access.oneWay = OneWay::BToA;
+    access.level = levels.first;
+    access.regionA = m_map.data.regions[*foot].id;
+    access.regionB = m_map.data.regions[*head].id;
+    // The way's own direction is told; ours is upwards.
+    if (feature.is("conveying", "forward")) access.oneWay = rises ? OneWay::AToB : OneWay::BToA;
+    if (feature.is("conveying", "backward")) access.oneWay = rises ? OneWay::BToA : OneWay::AToB;
     access.widthM = plainNumber(feature.tag("width"));
     if (auto steps = plainNumber(feature.tag("step_count")); steps && *steps > 0 && *steps < 10000)
         access.steps = static_cast<int>(*steps);
     access.closed = isOsmRestricted(feature);
     access.shaft = ShaftId(feature.id);
-    access.line = line;
+    access.line = around(lower.back(), {-along.y, along.x}, width);
     access.extra = attributesOf(feature.tags);
-    access.extra["level_to"] = rises ? high : low;
-    for (const RegionId& side : {access.regionA, access.regionB})
-        if (!side.empty()) m_accessesOf[side].push_back(m_map.data.accesses.size());
     m_map.data.accesses.push_back(std::move(access));
+}
+
+/// One half, from its outer end, with the opening to the region there, and its sides as walls.
+std::optional<std::size_t> OsmBuilder::addStairsHalf(const TaggedFeature& feature, const Polyline& half, double level,
+                                                     double width, std::optional<std::size_t> end) {
+    std::vector<Polygon> strips;
+    appendStrip(half, width / 2, strips);
+    auto shape = joinedStrips(strips);
+    if (!shape) return std::nullopt;
+    Region region;
+    std::string id = feature.id + "@" + formatNumber(level);
+    region.id = RegionId(id);
+    for (int number = 2; !m_stairIds.insert(region.id.value).second; ++number) region.id = RegionId(id + "#" + std::to_string(number));
+    region.level = level;
+    region.kind = RegionKind::Stairwell;
+    region.name = nameOf(feature, m_language);
+    if (region.name.empty() && feature.has("conveying") && !feature.is("conveying", "no"))
+        region.name = "Escalator " + std::to_string(++m_escalators[level]);
+    region.ref = feature.tag("ref");
+    region.restricted = isOsmRestricted(feature);
+    region.polygon = std::move(*shape);
+    region.extra = attributesOf(feature.tags);
+    Point2 along = unitVector(half[1] - half[0]);
+    Point2 side = Point2{-along.y, along.x} * (width / 2);
+    for (Point2 edge : {side, side * -1.0}) {
+        Polyline wall = half;
+        for (Point2& point : wall) point = point + edge;
+        m_map.data.walls.push_back({level, std::move(wall), {}});
+    }
+    RegionId own = region.id;
+    std::size_t index = addRegion(std::move(region), false);
+    if (!end) return index;
+    Access access;
+    access.id = AccessId(accessId(own.value + "/end"));
+    access.kind = AccessKind::Opening;
+    access.level = level;
+    access.regionA = m_map.data.regions[*end].id;
+    access.regionB = own;
+    access.line = {half.front() - side, half.front() + side};
+    for (const RegionId& each : {access.regionA, access.regionB}) m_accessesOf[each].push_back(m_map.data.accesses.size());
+    m_map.data.accesses.push_back(std::move(access));
+    return index;
 }
 
 /// A lift that stands in an area and has no drawn door is still entered from there; on which side is not known.

@@ -13,7 +13,8 @@ void FindingList::add(Severity severity, const std::string& rule, const std::str
                       const std::string& id) {
     auto [place, fresh] = m_grouped.emplace(rule + '\n' + message + '\n' + layer, m_findings.size());
     if (fresh) m_findings.push_back({severity, rule, message, layer, {}});
-    m_findings[place->second].ids.push_back(id);
+    std::vector<std::string>& ids = m_findings[place->second].ids;
+    if (ids.empty() || ids.back() != id) ids.push_back(id);
 }
 
 std::vector<Finding> FindingList::take() {

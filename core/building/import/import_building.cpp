@@ -21,6 +21,8 @@ std::vector<std::unique_ptr<Importer>> allImporters() {
     importers.push_back(makeHulopImporter());
     importers.push_back(makeOsmImporter());
     importers.push_back(makeIndoorGmlImporter());
+    for (MapFormat format : {MapFormat::Shapefile, MapFormat::GeoPackage, MapFormat::GeoJson})
+        importers.push_back(makeTableImporter(format));
     return importers;
 }
 

@@ -65,6 +65,7 @@ public:
                 joined = isLine(access.line) ? besideLine(access, reach) : aroundPoint(access, reach);
                 if (joined) break;
             }
+            if (!joined && isLine(access.line)) joined = alongWay(access);
             if (joined) fill(access, *joined);
             else nameOneSide(access);
         }
@@ -136,6 +137,21 @@ private:
             }
         }
         return best;
+    }
+
+    /// A line drawn the way one walks, from the border of one region through the wall to that of the other.
+    std::optional<Joined> alongWay(const Access& access) const {
+        Point2 first = access.line.front(), last = access.line.back();
+        double size = distance(first, last);
+        if (size < kOnBorderM) return std::nullopt;
+        Point2 onwards = (last - first) * (kReachesM.front() / size);
+        auto from = m_index.at(access.level, first - onwards), to = m_index.at(access.level, last + onwards);
+        if (!from || !to || from == to || (!allowed(access, *from) && !allowed(access, *to))) return std::nullopt;
+        // A door along the wall may end where two rooms of its own side begin: it does not lead from one to the other.
+        Point2 middle = access.midpoint();
+        for (std::size_t region : {*from, *to})
+            if (distanceToPolygon(m_data.regions[region].polygon, middle) < 0.3 * size) return std::nullopt;
+        return Joined{*from, *to, false};
     }
 
     /// Two regions on opposite sides of the point, by the share of a disc that each holds.

@@ -10,12 +10,12 @@ REGIONS = {
     "long-corridor": ("Long corridor", "", "corridor", 6.0, 2.0, 14.0, 4.4),
     "north-corridor": ("North corridor", "", "corridor", 14.0, 2.0, 16.4, 11.0),
     "side-corridor": ("Side corridor", "", "corridor", 8.0, 8.6, 14.0, 11.0),
-    "office": ("Office", "1.01", "room", 6.0, -2.0, 10.0, 2.0),
-    "meeting-room": ("Meeting room", "1.02", "room", 10.0, -2.0, 14.0, 2.0),
-    "kitchen": ("Kitchen", "1.03", "room", 6.0, 4.4, 10.0, 8.6),
-    "classroom": ("Classroom", "1.04", "room", 10.0, 4.4, 14.0, 8.6),
-    "library": ("Library", "1.05", "room", 16.4, 5.2, 23.0, 11.4),
-    "toilets": ("Toilets", "1.06", "toilet", 8.0, 11.0, 14.0, 14.0),
+    "office": ("Office", "101", "room", 6.0, -2.0, 10.0, 2.0),
+    "meeting-room": ("Meeting room", "102", "room", 10.0, -2.0, 14.0, 2.0),
+    "kitchen": ("Kitchen", "103", "room", 6.0, 4.4, 10.0, 8.6),
+    "classroom": ("Classroom", "104", "room", 10.0, 4.4, 14.0, 8.6),
+    "library": ("Library", "105", "room", 16.4, 5.2, 23.0, 11.4),
+    "toilets": ("Toilets", "106", "toilet", 8.0, 11.0, 14.0, 14.0),
 }
 
 # id: (kind, region a, region b, (x, y) to (x, y), drawn open)
@@ -24,12 +24,12 @@ ACCESSES = {
     "hall-opening": ("opening", "hall", "long-corridor", (6.0, 2.0), (6.0, 4.4), True),
     "corner-opening": ("opening", "long-corridor", "north-corridor", (14.0, 2.0), (14.0, 4.4), True),
     "side-opening": ("opening", "side-corridor", "north-corridor", (14.0, 8.6), (14.0, 11.0), True),
-    "door-1.01": ("door", "office", "long-corridor", (7.55, 2.0), (8.45, 2.0), False),
-    "door-1.02": ("door", "meeting-room", "long-corridor", (11.95, 2.0), (12.85, 2.0), False),
-    "door-1.03": ("door", "long-corridor", "kitchen", (8.75, 4.4), (9.65, 4.4), False),
-    "door-1.04": ("door", "classroom", "north-corridor", (14.0, 6.55), (14.0, 7.45), False),
-    "door-1.05": ("door", "north-corridor", "library", (16.4, 7.8), (16.4, 8.8), True),
-    "door-1.06": ("door", "side-corridor", "toilets", (10.55, 11.0), (11.45, 11.0), False),
+    "door-101": ("door", "office", "long-corridor", (7.55, 2.0), (8.45, 2.0), False),
+    "door-102": ("door", "meeting-room", "long-corridor", (11.95, 2.0), (12.85, 2.0), False),
+    "door-103": ("door", "long-corridor", "kitchen", (8.75, 4.4), (9.65, 4.4), False),
+    "door-104": ("door", "classroom", "north-corridor", (14.0, 6.55), (14.0, 7.45), False),
+    "door-105": ("door", "north-corridor", "library", (16.4, 7.8), (16.4, 8.8), True),
+    "door-106": ("door", "side-corridor", "toilets", (10.55, 11.0), (11.45, 11.0), False),
 }
 
 # id: (kind, template, text, region, x, y, heading it faces in degrees, height of its middle, width, height)
@@ -50,19 +50,19 @@ LANDMARKS = {
     "exit-sign": ("exit_sign", "exit", "EXIT", "north-corridor", 15.2, 9.5, 270, 2.32, 0.80, 0.34),
     "reading-poster": ("poster", "reading", "READ", "library", 19.4, 5.2, 90, 1.60, 0.80, 1.091),
     "star-chart": ("poster", "stars", "THE NIGHT SKY", "library", 21.3, 5.2, 90, 1.60, 1.15, 0.869),
-    "sign-1.01": ("text", "", "1.01", "long-corridor", 8.72, 2.0, 90, 1.60, 0.30, 0.177),
-    "sign-1.02": ("text", "", "1.02", "long-corridor", 13.10, 2.0, 90, 1.60, 0.30, 0.177),
-    "sign-1.03": ("text", "", "1.03", "long-corridor", 9.95, 4.4, 270, 1.60, 0.30, 0.177),
-    "sign-1.04": ("text", "", "1.04", "north-corridor", 14.0, 6.30, 0, 1.60, 0.30, 0.177),
-    "sign-1.05": ("text", "", "1.05", "north-corridor", 16.4, 9.08, 180, 1.60, 0.34, 0.201),
-    "sign-1.06": ("text", "", "1.06", "side-corridor", 10.30, 11.0, 270, 1.60, 0.30, 0.177),
+    "sign-101": ("text", "", "101", "long-corridor", 8.72, 2.0, 90, 1.60, 0.34, 0.201),
+    "sign-102": ("text", "", "102", "long-corridor", 13.10, 2.0, 90, 1.60, 0.34, 0.201),
+    "sign-103": ("text", "", "103", "long-corridor", 9.95, 4.4, 270, 1.60, 0.34, 0.201),
+    "sign-104": ("text", "", "104", "north-corridor", 14.0, 6.30, 0, 1.60, 0.34, 0.201),
+    "sign-105": ("text", "", "105", "north-corridor", 16.4, 9.08, 180, 1.60, 0.34, 0.201),
+    "sign-106": ("text", "", "106", "side-corridor", 10.30, 11.0, 270, 1.60, 0.34, 0.201),
 }
 
 # Doors are landmarks too, on the side of a corridor or hall: (access, region, heading the door faces)
 DOOR_LANDMARKS = [
-    ("entrance", "hall", 0), ("door-1.01", "long-corridor", 90), ("door-1.02", "long-corridor", 90),
-    ("door-1.03", "long-corridor", 270), ("door-1.04", "north-corridor", 0), ("door-1.05", "north-corridor", 180),
-    ("door-1.06", "side-corridor", 270), ("door-1.05", "library", 0),
+    ("entrance", "hall", 0), ("door-101", "long-corridor", 90), ("door-102", "long-corridor", 90),
+    ("door-103", "long-corridor", 270), ("door-104", "north-corridor", 0), ("door-105", "north-corridor", 180),
+    ("door-106", "side-corridor", 270), ("door-105", "library", 0),
 ]
 
 WINDOWS = {  # (x, y) of its left and right as seen from inside, sill, head
@@ -72,7 +72,7 @@ WINDOWS = {  # (x, y) of its left and right as seen from inside, sill, head
 
 # x, y, heading of the camera: from the entrance hall to the library, the camera held now to one side, now to the other.
 WALK = [
-    (0.9, 3.1, 4), (1.8, 3.1, 16), (2.7, 3.2, 22), (3.6, 3.2, -22), (4.5, 3.2, -32),
+    (0.9, 3.1, 4), (1.8, 3.1, 16), (2.7, 3.2, 22), (3.6, 3.2, -30), (4.5, 3.2, -32),
     (5.4, 3.2, 2), (6.3, 3.2, 24), (7.2, 3.2, 30), (8.1, 3.3, -22), (9.0, 3.3, -8),
     (9.9, 3.2, -30), (10.7, 3.2, 26), (11.5, 3.1, 2), (12.3, 3.2, -30), (13.2, 3.2, -6),
     (14.3, 3.3, 30), (14.9, 3.6, 52), (15.2, 4.0, 86), (15.3, 4.6, 125), (15.2, 5.5, 78), (15.2, 6.4, 92),

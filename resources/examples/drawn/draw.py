@@ -18,7 +18,7 @@ from building import ACCESSES, CEILING, DOOR_LANDMARKS, DOOR_TALL, LANDMARKS, RE
 from render import SAMPLES, Camera, look
 
 CRS, EAST, NORTH = 32629, 594200.0, 4098600.0  # UTM 29N; somewhere near the sea: the building does not exist
-QUALITY = 82
+QUALITY = 80
 TRAIN_LIGHT = {"warmth": 0.05, "gain": 0.86}
 # The distance in metres from which a landmark is photographed for training, where it is not 1.75.
 FAR = {"welcome-board": 2.0, "extinguisher-1": 1.5, "exit-sign": 1.6, "cafe-sign": 1.5}

@@ -406,16 +406,16 @@ def exit_sign():
                           ([(156, 190), (130, 236), (76, 240)], 24), ([(182, 130), (226, 160), (262, 140)], 18),
                           ([(170, 130), (122, 146), (104, 186)], 18)]:
         cv2.polylines(image, [np.array(points)], False, green, width, cv2.LINE_AA)
-    text(image, "EXIT", 330, 104, 128, (245, 255, 245))
-    polygon(image, [(690, 170), (740, 120), (740, 150), (782, 150), (782, 190), (740, 190), (740, 220)], (245, 255, 245))
+    text(image, "EXIT", 350, 58, 132, (245, 255, 245))
+    polygon(image, [(360, 250), (420, 205), (420, 234), (700, 234), (700, 266), (420, 266), (420, 295)], (245, 255, 245))
     return image
 
 
 def room_sign(number):
-    image = blank(440, 260, (246, 248, 248))
-    cv2.rectangle(image, (0, 0), (440, 26), (140, 80, 30), -1)
-    text(image, number, 220, 72, 132, (40, 30, 26), centre=True)
-    return border(image, (120, 120, 120), 4)
+    """White on dark blue, without a frame: what signs in buildings have, and what can be read from afar."""
+    image = blank(440, 260, (104, 52, 20))
+    text(image, number, 220, 48, 160, (250, 252, 252), centre=True)
+    return image
 
 
 TEMPLATES = {"welcome": welcome, "timetable": timetable, "ocean": ocean, "jazz": jazz, "noticeboard": noticeboard,

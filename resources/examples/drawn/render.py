@@ -189,7 +189,7 @@ def reflections(camera, panels, lamps):
     return cv2.GaussianBlur(cv2.blur(picture, (3, 13)), (0, 0), 2.0)
 
 
-def look(camera, panels, lamps, warmth=0.0, gain=1.0, grain=1.2, seed=0):
+def look(camera, panels, lamps, warmth=0.0, gain=1.0, grain=0.8, seed=0):
     """One 8-bit BGR picture as a camera would take it, and the panel that each fine sample shows."""
     rays = camera.rays(SAMPLES)
     owner, nearest = cast(camera, panels, SAMPLES, rays)
@@ -204,8 +204,9 @@ def look(camera, panels, lamps, warmth=0.0, gain=1.0, grain=1.2, seed=0):
     v, u = np.mgrid[0:HEIGHT, 0:WIDTH]
     off_axis = ((u - WIDTH / 2) ** 2 + (v - HEIGHT / 2) ** 2) / FOCAL ** 2
     picture *= (1 / (1 + off_axis) ** 0.9)[..., None].astype(np.float32)
-    picture = cv2.GaussianBlur(picture, (0, 0), 0.55)
+    picture = cv2.GaussianBlur(picture, (0, 0), 0.5)
     picture = 1 - np.exp(-1.25 * picture)  # a shoulder, as film and sensors have
     picture = 255 * np.clip(picture / (1 - np.exp(-1.25 * 1.25)), 0, 1) ** (1 / 2.2)
+    picture += 0.6 * (picture - cv2.GaussianBlur(picture, (0, 0), 1.0))  # cameras sharpen
     noise = np.random.RandomState(seed).normal(0, 1, (HEIGHT, WIDTH, 1)).astype(np.float32)
     return np.clip(picture + grain * cv2.GaussianBlur(noise, (0, 0), 0.6)[..., None] * 1.6, 0, 255).astype(np.uint8), owner

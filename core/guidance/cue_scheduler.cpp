@@ -17,6 +17,7 @@ Result<void> GuidanceOptions::check() const {
         return wrong("something is to be prepared before it is to be done", "prepareDistanceM");
     }
     if (!isPositive(reassureEveryM)) return wrong("must be above 0 metres", "reassureEveryM");
+    if (!isPositive(maxSigmaForActM)) return wrong("must be above 0 metres", "maxSigmaForActM");
     if (!isPositive(maxSigmaForDistanceM)) return wrong("must be above 0 metres", "maxSigmaForDistanceM");
     if (!(sureConfidence >= 0.0 && sureConfidence <= 1.0)) return wrong("must be from 0 to 1", "sureConfidence");
     for (double seconds : {reassureEverySeconds, repeatAfterSeconds, objectRepeatSeconds, unsureAfterSeconds,

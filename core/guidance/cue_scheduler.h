@@ -25,6 +25,7 @@ struct GuidanceOptions {
     double unsureRepeatSeconds = 15.0;
     double offRouteRepeatSeconds = 10.0;
     double sureConfidence = 0.5;         ///< below: hedged words
+    double maxSigmaForActM = 1.6;        ///< an order to act needs a position this good (a place, not an object seen from afar)
     double maxSigmaForDistanceM = 2.0;   ///< a distance is told only when the position is that good
 
     Result<void> check() const;

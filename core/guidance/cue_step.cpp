@@ -272,14 +272,17 @@ void CueStep::tellManoeuvre() {
     double expected = std::max(0.0, measured - kWalkingSpeed * age());
     std::string key = keyOf(next);
     bool isTold = m_memory.told.contains(key);
-    if (measured <= m_options.actDistanceM && age() <= kFreshSeconds) {
+    bool near = measured <= m_options.actDistanceM && age() <= kFreshSeconds;
+    // An object can be recognised from several metres away: its place on the map is not where the user stands.
+    if (near && m_fix.sigmaM <= m_options.maxSigmaForActM) {
         bool holdBack = toldRecently(m_memory.told, key, kActAfterPrepareSeconds) ||
                         toldRecently(m_memory.acted, key, m_options.repeatAfterSeconds);
         if (holdBack) return;
         Cue cue = routeCue(CueKind::Act, CuePriority::ActNow, kActSeconds);
         addManoeuvre(std::move(cue), next, m_progress.afterNext);
     } else if (expected <= m_options.prepareDistanceM) {
-        if (isTold) return;
+        bool again = near && !toldRecently(m_memory.told, key, m_options.repeatAfterSeconds);
+        if (isTold && !again) return;
         Cue cue = routeCue(CueKind::Prepare, CuePriority::Prepare, kPrepareSeconds);
         if (distanceIsGood()) cue.distanceM = measured;
         cue.hour = hourTo(next);

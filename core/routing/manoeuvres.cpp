@@ -1,3 +1,4 @@
+#include "core/routing/corridor_axis.h"
 #include "core/routing/route.h"
 
 #include <algorithm>
@@ -144,6 +145,14 @@ Radians PathWalk::turnOf(const Cluster& cluster, double low, double high) const 
     Point2 in = m_route.path[cluster.first].position - pointAt(begin - back);
     Point2 out = pointAt(finish + ahead) - m_route.path[cluster.last].position;
     if (length(in) < 1e-6 || length(out) < 1e-6) return {};
+    if (cluster.portal) {
+        // Who walks in a corridor follows its walls, not the diagonal of the shortest path: a corner of two corridors
+        // is a whole turn, and the door in its side wall is one too.
+        if (const Region* from = m_building.region(m_route.regions[*cluster.portal]))
+            in = walkingDirection(from->polygon, in);
+        if (const Region* into = m_building.region(m_route.regions[*cluster.portal + 1]))
+            out = walkingDirection(into->polygon, out);
+    }
     double turn = wrapped(directionOf(out) - directionOf(in)).value;
     // Right round: which way is told by the bends on the way, not by the sum.
     double bends = 0.0;

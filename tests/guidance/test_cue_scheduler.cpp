@@ -107,6 +107,19 @@ TEST(CueScheduler, PreparesAtSixMetresAndActsAtTwo) {
     EXPECT_EQ(prepare->intoName, "L");
 }
 
+TEST(CueScheduler, AnObjectSeenFromAfarIsNoGroundForAnOrderToAct) {
+    Guided walk(longCorridor());
+    walk.tracker.setDestination(at("B"));
+    walk.seen("A");
+    walk.seen("K", '8');
+    walk.fix.position = Point2{walk.building->access(AccessId("K-L"))->midpoint().x - 1.0,
+                               walk.map.spot('9').position->y};
+    walk.fix.sigmaM = 2.0;
+    walk.fix.evidenceTime = walk.time + 4;
+    walk.later(4.0);
+    EXPECT_EQ(walk.find(CueKind::Act), nullptr);
+}
+
 TEST(CueScheduler, ActIsVoidOnceItsRegionIsLeft) {
     Guided walk(longCorridor());
     walk.tracker.setDestination(at("B"));

@@ -113,6 +113,52 @@ TEST(Manoeuvres, theTurnAtADoorIsTheChangeOfDirection) {
     EXPECT_THAT(spoken(along({{0, 0}, {5, 0}, {10, 0}}, 1)), ElementsAre("start", "door", "arrive"));
 }
 
+TEST(Manoeuvres, theCornerOfTwoCorridorsIsAWholeTurn) {
+    // The shortest way cuts the corner and leaves by a door near it; the walls still turn by 90 degrees.
+    auto map = test::AsciiMap()
+                   .floor(R"(
+            +--+
+            |B |
+            |  +-----+
+            |  /C  1 |
+            |  +-----+
+            |  |
+            |  |
+            |  |
+    +-------+  |
+    |A 2    :  |
+    |       :  |
+    +-------+--+
+        )");
+    auto planner = makeOptimalPlanner(map.build());
+    auto route = planner->plan(map.spot('2'), map.spot('1'));
+    ASSERT_TRUE(route.ok());
+    std::vector<double> turns;
+    for (const Manoeuvre& each : route->manoeuvres)
+        if (each.kind == ManoeuvreKind::Opening || each.kind == ManoeuvreKind::Door) turns.push_back(toDegrees(each.turn));
+    ASSERT_EQ(turns.size(), 2U);
+    EXPECT_NEAR(turns[0], 90.0, 1.0);
+    EXPECT_NEAR(turns[1], -90.0, 1.0);
+}
+
+TEST(Manoeuvres, whoCrossesACorridorDoesNotTurnAlongIt) {
+    auto map = test::AsciiMap()
+                   .floor(R"(
+        +---+
+        |B2 |
+        +-/-+---------+
+        |C            |
+        |             |
+        +-/-+---------+
+        |A1 |
+        +---+
+        )");
+    auto planner = makeOptimalPlanner(map.build());
+    auto route = planner->plan(map.spot('1'), map.spot('2'));
+    ASSERT_TRUE(route.ok());
+    for (const Manoeuvre& each : route->manoeuvres) EXPECT_LT(std::abs(toDegrees(each.turn)), 45.0);
+}
+
 TEST(Manoeuvres, aBendBesideADoorBelongsToIt) {
     EXPECT_THAT(spoken(along({{0, 0}, {5, 0}, {5.4, 0}, {5.4, 5}}, 1)), ElementsAre("start", "door +90", "arrive"));
     EXPECT_THAT(spoken(along({{0, 0}, {4.4, 0}, {5, 0.3}, {5, 5}}, 2)), ElementsAre("start", "door +90", "arrive"));

@@ -81,16 +81,16 @@
         <translation>O quê</translation>
     </message>
     <message>
-        <source>Name or text</source>
-        <translation>Nome ou texto</translation>
-    </message>
-    <message>
-        <source>Where in the picture</source>
-        <translation>Onde na imagem</translation>
-    </message>
-    <message>
         <source>Match</source>
         <translation>Semelhança</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nome</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>Onde</translation>
     </message>
 </context>
 <context>
@@ -209,16 +209,16 @@ Abra uma câmara, um vídeo ou uma pasta de imagens e depois prima Reproduzir.</
         <translation>O quê</translation>
     </message>
     <message>
-        <source>Name or text</source>
-        <translation>Nome ou texto</translation>
-    </message>
-    <message>
-        <source>Where in the picture</source>
-        <translation>Onde na imagem</translation>
-    </message>
-    <message>
         <source>Time</source>
         <translation>Hora</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nome</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>Onde</translation>
     </message>
 </context>
 <context>
@@ -1766,6 +1766,10 @@ Abra um com Ctrl+O.</translation>
         <source>Because</source>
         <translation>Porque</translation>
     </message>
+    <message>
+        <source>Shown as text, not heard</source>
+        <translation>Mostrada como texto, não ouvida</translation>
+    </message>
 </context>
 <context>
     <name>farol::ui::Voice</name>
@@ -2304,24 +2308,12 @@ Abra um com Ctrl+O.</translation>
         <translation>em espera</translation>
     </message>
     <message>
-        <source>being spoken</source>
-        <translation>a ser dita</translation>
-    </message>
-    <message>
         <source>spoken</source>
         <translation>dita</translation>
     </message>
     <message>
         <source>interrupted</source>
         <translation>interrompida</translation>
-    </message>
-    <message>
-        <source>dropped, too late</source>
-        <translation>descartada, tarde demais</translation>
-    </message>
-    <message>
-        <source>shown, no sound</source>
-        <translation>mostrada, sem som</translation>
     </message>
     <message>
         <source>new route</source>
@@ -2434,6 +2426,18 @@ Abra um com Ctrl+O.</translation>
     <message>
         <source>vote</source>
         <translation>voto</translation>
+    </message>
+    <message>
+        <source>speaking</source>
+        <translation>a dizer</translation>
+    </message>
+    <message>
+        <source>too late</source>
+        <translation>tarde de mais</translation>
+    </message>
+    <message>
+        <source>shown</source>
+        <translation>mostrada</translation>
     </message>
 </context>
 </TS>

@@ -42,6 +42,7 @@ Banner::Banner(QWidget* parent)
 void Banner::show(BannerText text) {
     m_text = std::move(text);
     m_label->setText(m_text.text);
+    m_label->setToolTip(m_text.text);
     m_action->setText(m_text.action);
     m_action->setVisible(!m_text.action.isEmpty());
     m_action->setToolTip(m_text.action);

@@ -13,12 +13,11 @@
 namespace farol::ui {
 
 FramePanel::FramePanel(QWidget* parent)
-    : QWidget(parent), m_view(new FrameView(this)), m_title(panelTitle(this)), m_when(new QLabel(this)),
-      m_cost(new QLabel(this)) {
+    : QWidget(parent), m_view(new FrameView(this)), m_title(panelTitle(this)), m_when(new ElidedLabel(this)),
+      m_cost(new ElidedLabel(this)) {
     auto* facts = new QHBoxLayout;
     facts->setContentsMargins(0, 0, 6, 0);
     facts->addWidget(m_when);
-    facts->addStretch();
     facts->addWidget(m_cost);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -26,15 +25,9 @@ FramePanel::FramePanel(QWidget* parent)
     layout->addWidget(m_title);
     layout->addWidget(m_view, 1);
     layout->addLayout(facts);
-    for (QLabel* label : {m_when, m_cost}) {
-        label->setTextFormat(Qt::PlainText);
-        label->setMinimumWidth(10); // a long file name must not widen the window
-        label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-    }
     m_cost->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     facts->setStretch(0, 4);
-    facts->setStretch(1, 0);
-    facts->setStretch(2, 6);
+    facts->setStretch(1, 6);
     retranslate();
 }
 
@@ -76,7 +69,8 @@ void FramePanel::retranslate() {
     if (unreadable > 0) cost << tr("%n unreadable", nullptr, unreadable);
     m_cost->setText(cost.join(QStringLiteral(" · ")));
     m_when->setToolTip(m_when->text());
-    m_cost->setToolTip(tr("Time from the picture's arrival to the answer, and how many pictures had to be left out "
+    m_cost->setToolTip(m_cost->text() + QLatin1Char('\n') +
+                       tr("Time from the picture's arrival to the answer, and how many pictures had to be left out "
                           "because Farol was still busy with an earlier one"));
 }
 

@@ -2,6 +2,7 @@
 
 #include "ui/convert/convert.h"
 #include "ui/convert/kind_style.h"
+#include "ui/live/tables.h"
 #include "ui/models/words.h"
 
 #include <QEvent>
@@ -21,7 +22,7 @@ bool isInstruction(const guidance::Cue& cue) {
 } // namespace
 
 InstructionPanel::InstructionPanel(QWidget* parent)
-    : QFrame(parent), m_sentence(new QLabel(this)), m_way(new QLabel(this)), m_voice(new QLabel(this)) {
+    : QFrame(parent), m_sentence(new QLabel(this)), m_way(new ElidedLabel(this)), m_voice(new ElidedLabel(this)) {
     setFrameShape(QFrame::StyledPanel);
     QFont large = m_sentence->font();
     large.setPointSizeF(large.pointSizeF() * 1.9);
@@ -30,13 +31,9 @@ InstructionPanel::InstructionPanel(QWidget* parent)
     m_sentence->setWordWrap(true);
     m_sentence->setMinimumHeight(m_sentence->fontMetrics().height() + 4);
     m_sentence->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::MinimumExpanding);
-    for (QLabel* label : {m_sentence, m_way, m_voice}) {
-        label->setTextFormat(Qt::PlainText);
-        label->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    }
-    m_way->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    m_sentence->setTextFormat(Qt::PlainText);
+    m_sentence->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_voice->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    m_voice->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     auto* layout = new QGridLayout(this);
     layout->setContentsMargins(12, 6, 12, 6);
     layout->setVerticalSpacing(2);
@@ -117,6 +114,7 @@ void InstructionPanel::retranslate() {
     else if (!m_snapshot) m_sentence->setText(tr("Ready. Press Play to start the walk."));
     else m_sentence->setText(tr("Looking around…"));
     m_sentence->setAccessibleName(tr("Next instruction: %1").arg(m_sentence->text()));
+    m_sentence->setToolTip(m_sentence->text());
     m_way->setToolTip(m_way->text());
     m_voice->setText(m_voiceTrouble ? tr("No sound: %1").arg(m_voiceStatus) : m_voiceStatus);
     m_voice->setToolTip(m_voice->text());

@@ -264,7 +264,7 @@ std::vector<QWidget*> LivePage::tables() const {
 void LivePage::restoreLayout() {
     m_halves->setSizes({430, 180});
     m_views->setSizes({500, 500});
-    m_lists->setSizes({440, 400, 420});
+    m_lists->setSizes({480, 380, 400});
     m_views->restoreState(m_settings.splitter(QStringLiteral("views")));
     m_lists->restoreState(m_settings.splitter(QStringLiteral("lists")));
     m_halves->restoreState(m_settings.splitter(QStringLiteral("halves")));

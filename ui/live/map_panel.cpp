@@ -20,11 +20,8 @@ namespace farol::ui {
 MapPanel::MapPanel(QWidget* parent)
     : QWidget(parent), m_view(new MapView(this)), m_title(panelTitle(this)), m_levelLabel(new QLabel(this)),
       m_levels(new QComboBox(this)), m_follow(new QCheckBox(this)), m_zoomIn(new QToolButton(this)),
-      m_zoomOut(new QToolButton(this)), m_fit(new QToolButton(this)), m_where(new QLabel(this)) {
+      m_zoomOut(new QToolButton(this)), m_fit(new QToolButton(this)), m_where(new ElidedLabel(this)) {
     m_levelLabel->setBuddy(m_levels);
-    m_where->setTextFormat(Qt::PlainText);
-    m_where->setMinimumWidth(10);
-    m_where->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     m_levels->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     m_levels->setMinimumContentsLength(4);
     auto* bar = new QHBoxLayout;

@@ -5,11 +5,23 @@
 #include "ui/models/vote_model.h"
 
 #include <QHeaderView>
-#include <QLabel>
 #include <QPainter>
 #include <QTableView>
 
 namespace farol::ui {
+
+ElidedLabel::ElidedLabel(QWidget* parent) : QLabel(parent) {
+    setTextFormat(Qt::PlainText);
+    setMinimumWidth(10); // a long text must not widen the window
+    setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+}
+
+void ElidedLabel::paintEvent(QPaintEvent* /*event*/) {
+    QPainter painter(this);
+    painter.setPen(palette().color(QPalette::WindowText));
+    painter.drawText(contentsRect(), static_cast<int>(alignment()) | Qt::TextSingleLine,
+                     fontMetrics().elidedText(text(), Qt::ElideRight, contentsRect().width()));
+}
 
 QLabel* panelTitle(QWidget* parent) {
     auto* label = new QLabel(parent);

@@ -1,14 +1,25 @@
 #pragma once
 // The look that all panels and tables of the page share.
 
+#include <QLabel>
 #include <QStyledItemDelegate>
 
 class QAbstractItemModel;
-class QLabel;
 class QTableView;
 class QWidget;
 
 namespace farol::ui {
+
+/// One line that ends in an ellipsis where there is no room for all of it; the tool tip has the whole.
+class ElidedLabel : public QLabel {
+    Q_OBJECT
+
+public:
+    explicit ElidedLabel(QWidget* parent);
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+};
 
 /// A panel's heading.
 QLabel* panelTitle(QWidget* parent);

@@ -11,14 +11,13 @@ namespace farol::ui {
 
 void DetectionModel::show(const std::vector<recognition::Detection>& detections,
                           const std::vector<recognition::Rejection>& rejections) {
-    replaceRows(rowCount(), static_cast<int>(detections.size() + rejections.size()), ColumnCount, [&] {
-        m_detections = detections;
-        m_rejections = rejections;
-    });
+    decltype(m_rows) rows(detections.begin(), detections.end());
+    rows.insert(rows.end(), rejections.begin(), rejections.end());
+    replaceRows(m_rows, std::move(rows), ColumnCount);
 }
 
 int DetectionModel::rowCount(const QModelIndex& parent) const {
-    return parent.isValid() ? 0 : static_cast<int>(m_detections.size() + m_rejections.size());
+    return parent.isValid() ? 0 : static_cast<int>(m_rows.size());
 }
 
 int DetectionModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : ColumnCount; }
@@ -46,17 +45,17 @@ QVariant DetectionModel::rejectionText(const recognition::Rejection& rejection, 
 QVariant DetectionModel::data(const QModelIndex& index, int role) const {
     if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return {};
     if (role != Qt::DisplayRole && role != Qt::ToolTipRole) return {};
-    const auto row = static_cast<std::size_t>(index.row());
-    if (row < m_detections.size()) return detectionText(m_detections[row], index.column());
-    return rejectionText(m_rejections[row - m_detections.size()], index.column());
+    const auto& row = m_rows[static_cast<std::size_t>(index.row())];
+    if (const auto* detection = std::get_if<recognition::Detection>(&row)) return detectionText(*detection, index.column());
+    return rejectionText(std::get<recognition::Rejection>(row), index.column());
 }
 
 QVariant DetectionModel::headerData(int section, Qt::Orientation orientation, int role) const {
     if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
     switch (section) {
     case What: return tr("What");
-    case Name: return tr("Name or text");
-    case Where: return tr("Where in the picture");
+    case Name: return tr("Name");
+    case Where: return tr("Where");
     case Score: return tr("Match");
     default: return {};
     }

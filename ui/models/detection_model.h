@@ -6,6 +6,7 @@
 
 #include <QAbstractTableModel>
 
+#include <variant>
 #include <vector>
 
 namespace farol::ui {
@@ -29,8 +30,7 @@ private:
     QVariant detectionText(const recognition::Detection& detection, int column) const;
     QVariant rejectionText(const recognition::Rejection& rejection, int column) const;
 
-    std::vector<recognition::Detection> m_detections;
-    std::vector<recognition::Rejection> m_rejections;
+    std::vector<std::variant<recognition::Detection, recognition::Rejection>> m_rows;
 };
 
 } // namespace farol::ui

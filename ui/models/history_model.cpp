@@ -6,11 +6,11 @@
 namespace farol::ui {
 
 void HistoryModel::show(const std::deque<localisation::Observation>& history) {
-    replaceRows(rowCount(), static_cast<int>(history.size()), ColumnCount, [&] { m_history = history; });
+    replaceRows(m_rows, {history.rbegin(), history.rend()}, ColumnCount);
 }
 
 int HistoryModel::rowCount(const QModelIndex& parent) const {
-    return parent.isValid() ? 0 : static_cast<int>(m_history.size());
+    return parent.isValid() ? 0 : static_cast<int>(m_rows.size());
 }
 
 int HistoryModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : ColumnCount; }
@@ -18,7 +18,7 @@ int HistoryModel::columnCount(const QModelIndex& parent) const { return parent.i
 QVariant HistoryModel::data(const QModelIndex& index, int role) const {
     if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return {};
     if (role != Qt::DisplayRole && role != Qt::ToolTipRole) return {};
-    const auto& seen = m_history[m_history.size() - 1 - static_cast<std::size_t>(index.row())];
+    const auto& seen = m_rows[static_cast<std::size_t>(index.row())];
     switch (index.column()) {
     case What: return Phrasebook::kindWord(seen.detection.kind);
     case Name: return Words::detectionName(seen.detection);
@@ -32,8 +32,8 @@ QVariant HistoryModel::headerData(int section, Qt::Orientation orientation, int 
     if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
     switch (section) {
     case What: return tr("What");
-    case Name: return tr("Name or text");
-    case Where: return tr("Where in the picture");
+    case Name: return tr("Name");
+    case Where: return tr("Where");
     case When: return tr("Time");
     default: return {};
     }

@@ -7,6 +7,7 @@
 #include <QAbstractTableModel>
 
 #include <deque>
+#include <vector>
 
 namespace farol::ui {
 
@@ -25,7 +26,7 @@ public:
     QVariant headerData(int section, Qt::Orientation orientation, int role = Qt::DisplayRole) const override;
 
 private:
-    std::deque<localisation::Observation> m_history;
+    std::vector<localisation::Observation> m_rows;
 };
 
 } // namespace farol::ui

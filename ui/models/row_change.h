@@ -5,6 +5,7 @@
 #include <QAbstractItemModel>
 
 #include <algorithm>
+#include <utility>
 
 namespace farol::ui {
 
@@ -15,20 +16,21 @@ public:
     using Base::Base;
 
 protected:
-    /// Assigns through `assign` and tells which rows came, went or changed.
-    template <class Assign>
-    void replaceRows(int before, int after, int columns, Assign assign) {
+    /// Makes `rows` equal to `now` and tells which rows came, went or changed.
+    template <class Rows>
+    void replaceRows(Rows& rows, Rows now, int columns) {
+        const auto before = static_cast<int>(rows.size());
+        const auto after = static_cast<int>(now.size());
         if (after > before) {
             this->beginInsertRows({}, before, after - 1);
-            assign();
+            rows.insert(rows.end(), now.begin() + before, now.end());
             this->endInsertRows();
         } else if (after < before) {
             this->beginRemoveRows({}, after, before - 1);
-            assign();
+            rows.erase(rows.begin() + after, rows.end());
             this->endRemoveRows();
-        } else {
-            assign();
         }
+        rows = std::move(now);
         const int changed = std::min(before, after);
         if (changed > 0) Q_EMIT this->dataChanged(this->index(0, 0), this->index(changed - 1, columns - 1));
     }

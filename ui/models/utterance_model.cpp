@@ -49,6 +49,8 @@ QVariant UtteranceModel::data(const QModelIndex& index, int role) const {
     const Utterance& utterance = m_rows[static_cast<std::size_t>(index.row())];
     if (role == Qt::ToolTipRole && index.column() == Cause)
         return tr("Caused by picture %1").arg(utterance.cue.frame + 1);
+    if (role == Qt::ToolTipRole && index.column() == State && utterance.state == UtteranceState::Shown)
+        return tr("Shown as text, not heard");
     if (role != Qt::DisplayRole && role != Qt::ToolTipRole) return {};
     switch (index.column()) {
     case Time: return clockText(utterance.cue.time);

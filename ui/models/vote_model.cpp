@@ -17,7 +17,7 @@ void VoteModel::setBuilding(std::shared_ptr<const building::Building> building) 
 }
 
 void VoteModel::show(const std::vector<localisation::RegionVote>& votes) {
-    replaceRows(rowCount(), static_cast<int>(votes.size()), ColumnCount, [&] { m_votes = votes; });
+    replaceRows(m_votes, votes, ColumnCount);
 }
 
 int VoteModel::rowCount(const QModelIndex& parent) const {

@@ -44,13 +44,13 @@ QString Words::detectionName(const recognition::Detection& detection) {
 QString Words::utteranceState(UtteranceState state) {
     switch (state) {
     case UtteranceState::Waiting: return tr("waiting");
-    case UtteranceState::Speaking: return tr("being spoken");
+    case UtteranceState::Speaking: return tr("speaking");
     case UtteranceState::Spoken: return tr("spoken");
     case UtteranceState::Interrupted: return tr("interrupted");
-    case UtteranceState::Expired: return tr("dropped, too late");
+    case UtteranceState::Expired: return tr("too late");
     case UtteranceState::Shown: break;
     }
-    return tr("shown, no sound");
+    return tr("shown");
 }
 
 QString Words::cause(const guidance::Cue& cue) {

@@ -1,0 +1,328 @@
+// The whole window: a walk from beginning to end with made pictures, bad input, languages, keyboard and names.
+
+#include "core/building/geopackage.h"
+#include "tests/ui/hand_made.h"
+#include "ui/convert/convert.h"
+#include "ui/live/banner.h"
+#include "ui/live/frame_panel.h"
+#include "ui/live/map_panel.h"
+#include "ui/live/place_chooser.h"
+#include "ui/main_window/main_window.h"
+#include "ui/main_window/settings_dialog.h"
+#include "ui/main_window/source_dialog.h"
+#include "ui/main_window/window_actions.h"
+
+#include <QAbstractButton>
+#include <QAbstractScrollArea>
+#include <QAccessible>
+#include <QAction>
+#include <QComboBox>
+#include <QDir>
+#include <QLineEdit>
+#include <QMenu>
+#include <QMenuBar>
+#include <QPushButton>
+#include <QScrollBar>
+#include <QSet>
+#include <QSignalSpy>
+#include <QSplitterHandle>
+#include <QTabBar>
+#include <QTemporaryDir>
+#include <QTest>
+
+namespace farol::ui {
+
+class MainWindowTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase();
+    void init();
+    void cleanup();
+    void aWalkRunsToItsEndAndAgain();
+    void aWalkIsRecorded();
+    void pausingAndStepping();
+    void closingWhileAWalkRuns();
+    void closingWhileLoading();
+    void aMissingMapIsTold();
+    void aSourceThatCannotBeOpenedIsTold();
+    void anUnknownDestinationIsTold();
+    void playWithoutAnythingSaysWhatIsMissing();
+    void everyControlHasAName();
+    void everyCommandHasWordsInBothLanguages();
+    void tabGoesRound();
+    void dialogsHaveNames();
+    void theVoiceIsTurnedOff();
+
+private:
+    StartOptions options() const;
+    QString banner(Problem kind) const;
+    void make(std::uint64_t frames = 4, double period = 0.05);
+
+    QTemporaryDir m_folder;
+    QString m_map;
+    std::unique_ptr<Settings> m_settings;
+    std::unique_ptr<MainWindow> m_window;
+};
+
+void MainWindowTest::initTestCase() {
+    m_map = m_folder.filePath(QStringLiteral("house.gpkg"));
+    QVERIFY(building::saveBuilding(*test::handMadeBuilding(), toUtf8(m_map)).ok());
+}
+
+void MainWindowTest::init() {
+    QFile::remove(m_folder.filePath(QStringLiteral("settings.ini")));
+    m_settings = std::make_unique<Settings>(m_folder.filePath(QStringLiteral("settings.ini")));
+    m_settings->setLanguage(QStringLiteral("en"));
+    MainWindow::applyLanguage(*m_settings);
+    make();
+}
+
+void MainWindowTest::cleanup() {
+    m_window.reset();
+    m_settings.reset();
+}
+
+void MainWindowTest::make(std::uint64_t frames, double period) {
+    m_window.reset();
+    const auto open = [frames, period](const std::string& name,
+                                       const capture::SourceOptions&) -> Result<std::unique_ptr<capture::FrameSource>> {
+        if (name == "broken") return Error{ErrorCode::Unavailable, "there is no such camera", name};
+        return std::unique_ptr<capture::FrameSource>(std::make_unique<test::FakeSource>(frames, period));
+    };
+    m_window = std::make_unique<MainWindow>(*m_settings, open,
+                                            [](const VoiceChoice&) { return std::make_unique<test::FakeVoice>(); });
+}
+
+StartOptions MainWindowTest::options() const {
+    StartOptions start;
+    start.map = m_map;
+    start.source = QStringLiteral("grey");
+    start.to = QStringLiteral("Library");
+    start.banner = QStringLiteral("Test example");
+    start.play = true;
+    return start;
+}
+
+QString MainWindowTest::banner(Problem kind) const {
+    return m_window->page().banners().text(QStringLiteral("problem-%1").arg(static_cast<int>(kind)));
+}
+
+void MainWindowTest::aWalkRunsToItsEndAndAgain() {
+    Walk& walk = m_window->walk();
+    QSignalSpy began(&walk, &Walk::walkBegan);
+    m_window->begin(options()); // plays as soon as the map is there
+    QTRY_COMPARE_WITH_TIMEOUT(walk.state(), session::RunState::Ended, 60000);
+    QVERIFY(m_window->page().framesShown() > 0);
+    QCOMPARE(walk.destination(), RegionId("lib"));
+    BannerStack& banners = m_window->page().banners();
+    QVERIFY(banners.shows(QStringLiteral("ended")));
+    QCOMPARE(banners.text(QStringLiteral("example")), QStringLiteral("Test example"));
+    QVERIFY(m_window->windowTitle().contains(QLatin1String("Hand-made house")));
+    QCOMPARE(m_settings->recent(RecentKind::Map), QStringList{m_map});
+    m_window->actions().play->trigger();
+    QTRY_COMPARE_WITH_TIMEOUT(began.count(), 2, 60000);
+    QVERIFY(!banners.shows(QStringLiteral("ended")));
+    QTRY_COMPARE_WITH_TIMEOUT(walk.state(), session::RunState::Ended, 60000);
+}
+
+void MainWindowTest::aWalkIsRecorded() {
+    const QString folder = m_folder.filePath(QStringLiteral("recordings/deep"));
+    m_settings->setRecordingFolder(folder);
+    m_window->actions().record->setChecked(true);
+    m_window->begin(options());
+    QTRY_COMPARE_WITH_TIMEOUT(m_window->walk().state(), session::RunState::Ended, 60000);
+    const QStringList walks = QDir(folder).entryList(QDir::Dirs | QDir::NoDotAndDotDot);
+    QCOMPARE(walks.size(), 1);
+    const auto recording = session::loadRecording(toUtf8(QDir(folder).filePath(walks.first())));
+    QVERIFY(recording.ok());
+    QVERIFY(!recording->entries.empty());
+    m_window->actions().record->setChecked(false);
+    m_window->actions().play->trigger();
+    QTRY_COMPARE_WITH_TIMEOUT(m_window->walk().state(), session::RunState::Running, 60000);
+    QTRY_COMPARE_WITH_TIMEOUT(m_window->walk().state(), session::RunState::Ended, 60000);
+    QCOMPARE(QDir(folder).entryList(QDir::Dirs | QDir::NoDotAndDotDot).size(), 1);
+}
+
+void MainWindowTest::pausingAndStepping() {
+    make(1000, 0.05);
+    StartOptions start = options();
+    start.play = false;
+    m_window->begin(start);
+    QTRY_VERIFY_WITH_TIMEOUT(m_window->walk().building() && !m_window->walk().loading(), 60000);
+    m_window->actions().step->trigger();
+    QTRY_COMPARE_WITH_TIMEOUT(m_window->page().framesShown(), 1, 60000);
+    QCOMPARE(m_window->walk().state(), session::RunState::Paused);
+    m_window->actions().step->trigger();
+    QTRY_COMPARE_WITH_TIMEOUT(m_window->page().framesShown(), 2, 60000);
+    m_window->actions().play->trigger();
+    QTRY_COMPARE_WITH_TIMEOUT(m_window->walk().state(), session::RunState::Running, 60000);
+    m_window->actions().play->trigger(); // it is the pause key now
+    QTRY_COMPARE_WITH_TIMEOUT(m_window->walk().state(), session::RunState::Paused, 60000);
+    m_window->actions().stop->trigger();
+    QCOMPARE(m_window->walk().state(), session::RunState::Idle);
+    QVERIFY(!m_window->walk().active());
+}
+
+void MainWindowTest::closingWhileAWalkRuns() {
+    make(1000, 0.02);
+    m_window->show();
+    m_window->begin(options());
+    QTRY_VERIFY_WITH_TIMEOUT(m_window->page().framesShown() > 0, 60000);
+    QVERIFY(m_window->close());
+    m_window.reset(); // waits for the session; nothing of it arrives any more
+    QCoreApplication::processEvents();
+}
+
+void MainWindowTest::closingWhileLoading() {
+    for (int i = 0; i < 5; ++i) {
+        make();
+        m_window->begin(options());
+        m_window.reset();
+        QCoreApplication::processEvents();
+    }
+}
+
+void MainWindowTest::aMissingMapIsTold() {
+    StartOptions start = options();
+    start.map = m_folder.filePath(QStringLiteral("absent.gpkg"));
+    m_window->begin(start);
+    QTRY_VERIFY_WITH_TIMEOUT(banner(Problem::Map).contains(QLatin1String("absent.gpkg")), 60000);
+    QVERIFY(!m_window->walk().active());
+    m_window->walk().loadMap(m_map); // the message goes once a map is there
+    QTRY_VERIFY_WITH_TIMEOUT(m_window->walk().building() != nullptr, 60000);
+    QVERIFY(banner(Problem::Map).isEmpty());
+}
+
+void MainWindowTest::aSourceThatCannotBeOpenedIsTold() {
+    StartOptions start = options();
+    start.source = QStringLiteral("broken");
+    m_window->begin(start);
+    QTRY_VERIFY_WITH_TIMEOUT(banner(Problem::Source).contains(QLatin1String("no such camera")), 60000);
+    QCOMPARE(m_window->walk().state(), session::RunState::Failed);
+    m_window->walk().setSource({QStringLiteral("grey"), 0.0});
+    QVERIFY(banner(Problem::Source).isEmpty());
+}
+
+void MainWindowTest::anUnknownDestinationIsTold() {
+    StartOptions start = options();
+    start.to = QStringLiteral("swimming pool");
+    start.play = false;
+    m_window->begin(start);
+    QTRY_VERIFY_WITH_TIMEOUT(banner(Problem::Session).contains(QLatin1String("swimming pool")), 60000);
+    QVERIFY(!m_window->walk().destination());
+}
+
+void MainWindowTest::playWithoutAnythingSaysWhatIsMissing() {
+    m_window->actions().play->trigger();
+    QVERIFY(!banner(Problem::Session).isEmpty());
+    QVERIFY(!m_window->walk().active());
+}
+
+// Parts that Qt makes inside its own widgets and that the outer widget speaks for.
+static bool isInner(const QWidget* widget) {
+    if (widget->objectName().startsWith(QLatin1String("qt_"))) return true;
+    if (qobject_cast<const QScrollBar*>(widget) || qobject_cast<const QSplitterHandle*>(widget)) return true;
+    for (const QWidget* up = widget->parentWidget(); up; up = up->parentWidget())
+        if (qobject_cast<const QLineEdit*>(up) || qobject_cast<const QComboBox*>(up) || qobject_cast<const QMenuBar*>(up) ||
+            qobject_cast<const QTabBar*>(up) || qobject_cast<const QAbstractScrollArea*>(up))
+            return true;
+    return qobject_cast<const QMenuBar*>(widget);
+}
+
+static QStringList nameless(const QWidget& root) {
+    QStringList missing;
+    for (const QWidget* widget : root.findChildren<QWidget*>()) {
+        const bool acts = widget->focusPolicy() != Qt::NoFocus || qobject_cast<const QAbstractButton*>(widget);
+        if (!acts || isInner(widget) || !widget->isVisibleTo(&root)) continue;
+        QAccessibleInterface* accessible = QAccessible::queryAccessibleInterface(const_cast<QWidget*>(widget));
+        if (!accessible || accessible->text(QAccessible::Name).trimmed().isEmpty())
+            missing << QStringLiteral("%1 %2").arg(QLatin1String(widget->metaObject()->className()), widget->objectName());
+        else if (widget->toolTip().isEmpty() && root.isWindow() && root.inherits("QMainWindow") && !qobject_cast<const QTabBar*>(widget))
+            missing << QStringLiteral("no tool tip: %1").arg(accessible->text(QAccessible::Name));
+    }
+    return missing;
+}
+
+void MainWindowTest::everyControlHasAName() {
+    m_window->begin(options());
+    QTRY_COMPARE_WITH_TIMEOUT(m_window->walk().state(), session::RunState::Ended, 60000); // with all its banners
+    QCOMPARE(nameless(*m_window).join(QStringLiteral(", ")), QString());
+}
+
+void MainWindowTest::everyCommandHasWordsInBothLanguages() {
+    const auto texts = [this] {
+        QStringList all;
+        for (const QAction* action : m_window->findChildren<QAction*>())
+            if (action->parent() == m_window.get() && !action->isSeparator()) all << action->text() << action->toolTip();
+        return all;
+    };
+    const QStringList english = texts();
+    QVERIFY(english.size() > 50);
+    for (const QString& text : english) QVERIFY(!text.isEmpty());
+    QSet<QString> keys;
+    for (const QAction* action : m_window->actions().withKeys()) {
+        const QString key = action->shortcut().toString();
+        QVERIFY2(!keys.contains(key), qPrintable(key));
+        keys << key;
+    }
+    m_settings->setLanguage(QStringLiteral("pt"));
+    QTRY_VERIFY(m_window->actions().quit->text() != english[english.indexOf(QStringLiteral("&Quit"))]);
+    const QStringList portuguese = texts();
+    QCOMPARE(portuguese.size(), english.size());
+    for (const QString& text : portuguese) QVERIFY(!text.isEmpty());
+    m_settings->setLanguage(QStringLiteral("en"));
+    QTRY_COMPARE(texts(), english);
+}
+
+void MainWindowTest::tabGoesRound() {
+    m_window->begin(options());
+    QTRY_COMPARE_WITH_TIMEOUT(m_window->walk().state(), session::RunState::Ended, 60000);
+    m_window->show();
+    m_window->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+    QWidget* first = &m_window->page().destination().edit();
+    first->setFocus();
+    QSet<QWidget*> visited;
+    for (int i = 0; i < 80; ++i) {
+        QWidget* focus = QApplication::focusWidget();
+        QVERIFY(focus);
+        if (i > 0 && focus == first) break;
+        QVERIFY2(!visited.contains(focus), focus->metaObject()->className()); // no circle that leaves others out
+        visited << focus;
+        QTest::keyClick(focus, Qt::Key_Tab);
+    }
+    QCOMPARE(QApplication::focusWidget(), first);
+    QVERIFY(visited.contains(&m_window->page().startPlace().edit()));
+    QVERIFY(visited.contains(&m_window->page().framePanel().view()));
+    QVERIFY(visited.contains(&m_window->page().mapPanel().view()));
+    for (QWidget* table : m_window->page().tables()) QVERIFY(visited.contains(table));
+    QVERIFY(visited.contains(m_window->actions().speed));
+    m_window->actions().nextPane->trigger();
+    QVERIFY(QApplication::focusWidget() != first);
+}
+
+void MainWindowTest::dialogsHaveNames() {
+    SettingsDialog settings(*m_settings);
+    QCOMPARE(nameless(settings), QStringList());
+    SourceDialog source({QStringLiteral("camera:2"), 0.0});
+    QCOMPARE(nameless(source), QStringList());
+    QCOMPARE(source.source().name, QStringLiteral("camera:2"));
+    SourceDialog folder({m_folder.path(), 4.0});
+    QCOMPARE(folder.source().name, m_folder.path());
+    QCOMPARE(folder.source().framesPerSecond, 4.0);
+    SourceDialog address({QStringLiteral("rtsp://camera.example/1"), 0.0});
+    QCOMPARE(address.source().name, QStringLiteral("rtsp://camera.example/1"));
+}
+
+void MainWindowTest::theVoiceIsTurnedOff() {
+    m_window->actions().mute->setChecked(true);
+    QVERIFY(m_settings->muted());
+    m_settings->setMuted(false);
+    QVERIFY(!m_window->actions().mute->isChecked());
+}
+
+} // namespace farol::ui
+
+QTEST_MAIN(farol::ui::MainWindowTest)
+#include "test_main_window.moc"

@@ -65,9 +65,8 @@ public:
                 joined = isLine(access.line) ? besideLine(access, reach) : aroundPoint(access, reach);
                 if (joined) break;
             }
-            if (!joined && isLine(access.line)) joined = alongWay(access);
             if (joined) fill(access, *joined);
-            else nameOneSide(access);
+            else tellUnjoined(access);
         }
     }
 
@@ -139,19 +138,15 @@ private:
         return best;
     }
 
-    /// A line drawn the way one walks, from the border of one region through the wall to that of the other.
-    std::optional<Joined> alongWay(const Access& access) const {
+    /// A line between two regions, along neither border: drawn the way one walks, or a gate between two houses. Which of
+    /// the two it is cannot be known, and a wrong guess leads against a wall.
+    bool endsAtTwo(const Access& access) const {
         Point2 first = access.line.front(), last = access.line.back();
         double size = distance(first, last);
-        if (size < kOnBorderM) return std::nullopt;
+        if (size < kOnBorderM) return false;
         Point2 onwards = (last - first) * (kReachesM.front() / size);
         auto from = m_index.at(access.level, first - onwards), to = m_index.at(access.level, last + onwards);
-        if (!from || !to || from == to || (!allowed(access, *from) && !allowed(access, *to))) return std::nullopt;
-        // A door along the wall may end where two rooms of its own side begin: it does not lead from one to the other.
-        Point2 middle = access.midpoint();
-        for (std::size_t region : {*from, *to})
-            if (distanceToPolygon(m_data.regions[region].polygon, middle) < 0.3 * size) return std::nullopt;
-        return Joined{*from, *to, false};
+        return from && to && from != to;
     }
 
     /// Two regions on opposite sides of the point, by the share of a disc that each holds.
@@ -199,8 +194,12 @@ private:
         }
     }
 
-    /// A door to nowhere: the one region it touches is told, so that the curator knows which.
-    void nameOneSide(Access& access) const {
+    void tellUnjoined(Access& access) {
+        if (endsAtTwo(access))
+            m_findings.add(Severity::Warning, "access-drawn-across",
+                           "accesses run from one region to another and along no border: if one walks along the line, set region_a "
+                           "and region_b", "accesses", access.id.value);
+        // A door to nowhere: the one region it touches is told, so that the curator knows which.
         if (!access.regionA.empty() || !access.regionB.empty()) return;
         if (auto region = m_index.nearest(access.level, access.midpoint(), kReachesM.front())) access.regionA = idOf(*region);
     }

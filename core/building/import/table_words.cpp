@@ -184,18 +184,23 @@ Result<TableWords> TableWords::fromProfile(const std::string& path) {
     if (!text) return text.error();
     Json json = Json::parse(*text, nullptr, false);
     if (!json.is_object()) return Error{ErrorCode::InvalidArgument, "is no JSON object with columns, codes, levels or layers", path};
-    for (const auto& [meaning, names] : json.value("columns", Json::object()).items()) {
+    const auto part = [&](const char* key) {
+        auto found = json.find(key);
+        return found != json.end() && found->is_object() ? *found : Json(Json::object());
+    };
+    const Json columns = part("columns"), codes = part("codes"), levels = part("levels"), layers = part("layers");
+    for (const auto& [meaning, names] : columns.items()) {
         auto known = words.m_columns.find(meaning);
         if (known == words.m_columns.end())
             return Error{ErrorCode::InvalidArgument, "there is no column meaning \"" + meaning + "\"", path};
         std::vector<std::string> own = textsIn(names);
         known->second.insert(known->second.begin(), own.begin(), own.end());
     }
-    for (const auto& [code, word] : json.value("codes", Json::object()).items())
+    for (const auto& [code, word] : codes.items())
         if (word.is_string()) words.m_codes[foldedForMatching(code)] = word.get<std::string>();
-    for (const auto& [name, ordinal] : json.value("levels", Json::object()).items())
+    for (const auto& [name, ordinal] : levels.items())
         if (ordinal.is_number()) words.m_levels[foldedForMatching(name)] = ordinal.get<double>();
-    for (const auto& [pattern, rule] : json.value("layers", Json::object()).items()) {
+    for (const auto& [pattern, rule] : layers.items()) {
         LayerRule layer;
         layer.pattern = lowerCase(pattern);
         if (rule.is_object() && rule.contains("role")) {

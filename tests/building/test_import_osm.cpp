@@ -180,6 +180,14 @@ TEST(ImportOsm, UnreadableLevelsAreTold) {
     }
 }
 
+TEST(ImportOsm, AGeometryWithoutATypeIsLeftOutAndTold) {
+    std::string untyped = R"({"type":"Feature","properties":{"@id":"way/9","indoor":"room"},"geometry":{"coordinates":[]}})";
+    auto map = readBytes(*makeOsmImporter(), "map.geojson", collection(room("0") + "," + untyped));
+    ASSERT_TRUE(map.ok());
+    ASSERT_NE(findingOf(*map, "source-geometry"), nullptr);
+    EXPECT_EQ(findingOf(*map, "source-geometry")->ids, std::vector<std::string>{"way/9"});
+}
+
 TEST(ImportOsm, RefusesWhatIsNoMap) {
     auto importer = makeOsmImporter();
     std::string deep(100000, '[');

@@ -51,7 +51,8 @@ public:
 
     bool read(const Json& geometry) {
         if (!geometry.is_object()) return geometry.is_null();
-        const std::string type = geometry.value("type", Json("")).is_string() ? geometry["type"].get<std::string>() : "";
+        auto named = geometry.find("type");
+        const std::string type = named != geometry.end() && named->is_string() ? named->get<std::string>() : "";
         if (type == "GeometryCollection") {
             for (const Json& part : member(geometry, "geometries")) read(part);
             return m_good;

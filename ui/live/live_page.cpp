@@ -244,6 +244,8 @@ void LivePage::retranslate() {
     m_tabs->setTabText(0, tr("Last seen"));
     m_tabs->setTabText(1, tr("In the picture"));
     m_tabs->setTabText(2, tr("On this floor"));
+    m_tabs->setAccessibleName(tr("Lists"));
+    m_tabs->setToolTip(tr("Lists"));
     m_tabs->tabBar()->setAccessibleName(tr("Lists"));
     for (QTableView* table : {m_said, m_voteTable, m_historyTable, m_pictureTable, m_floorTable})
         table->viewport()->update();

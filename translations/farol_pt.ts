@@ -286,6 +286,10 @@ Abra uma câmara, um vídeo ou uma pasta de imagens e depois prima Reproduzir.</
         <source>No sound: %1</source>
         <translation>Sem som: %1</translation>
     </message>
+    <message>
+        <source>Said at %1</source>
+        <translation>Dito em %1</translation>
+    </message>
 </context>
 <context>
     <name>farol::ui::KeysDialog</name>

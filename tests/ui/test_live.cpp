@@ -1,6 +1,7 @@
 // The live page shows what a snapshot holds, in words too, and choosing a place works from the keyboard.
 
 #include "tests/ui/hand_made.h"
+#include "ui/convert/kind_style.h"
 #include "ui/live/banner.h"
 #include "ui/live/frame_panel.h"
 #include "ui/live/instruction_panel.h"
@@ -9,8 +10,10 @@
 #include "ui/live/place_chooser.h"
 
 #include <QAbstractItemView>
+#include <QApplication>
 #include <QComboBox>
 #include <QCompleter>
+#include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -34,6 +37,9 @@ private Q_SLOTS:
     void anUnknownNameIsTold();
     void clearingGivesTheDestinationUp();
     void aFailingVoiceIsVisible();
+    void anOldSentenceDoesNotLookLikeAnOrder();
+    void everyLabelIsReadable_data();
+    void everyLabelIsReadable();
     void aBannerIsReplacedAndClosed();
     void thePictureIsLetterboxed();
 
@@ -80,7 +86,6 @@ void LiveTest::aSnapshotIsShownInWords() {
     QCOMPARE(m_page->mapPanel().view().overlay().heatOf(RegionId("c")), 1.0);
     QVERIFY(m_page->mapPanel().view().overlay().route != nullptr);
     QVERIFY(!m_page->grab().isNull());
-    if (qEnvironmentVariableIsSet("FAROL_SHOT")) m_page->grab().save(qEnvironmentVariable("FAROL_SHOT"));
 }
 
 void LiveTest::anEmptyPageSaysWhatToDo() {
@@ -189,6 +194,60 @@ void LiveTest::aFailingVoiceIsVisible() {
     QTRY_COMPARE(m_page->utterances().rowCount(), 1);
     QTRY_COMPARE(m_page->utterances().at(0).state, UtteranceState::Shown);
     QCOMPARE(m_page->instruction().sentence(), m_page->utterances().at(0).text); // never silence without a word
+}
+
+void LiveTest::anOldSentenceDoesNotLookLikeAnOrder() {
+    m_page->setBuilding(test::handMadeBuilding());
+    Utterance utterance;
+    utterance.cue.kind = guidance::CueKind::Act;
+    utterance.cue.time = 60.0;
+    utterance.cue.validUntil = 63.0;
+    utterance.text = QStringLiteral("Turn left.");
+    utterance.state = UtteranceState::Shown;
+    m_page->instruction().note(utterance);
+    m_page->show(test::handMadeSnapshot()); // 62.5 s
+    QVERIFY(!m_page->instruction().way().contains(QLatin1String("1:00.0")));
+    auto later = std::make_shared<session::Snapshot>(*test::handMadeSnapshot());
+    later->step.percept.time = 64.0;
+    m_page->show(later);
+    QVERIFY(m_page->instruction().way().contains(QLatin1String("1:00.0"))); // it tells when that was
+    m_page->show(nullptr);
+    QVERIFY(!m_page->instruction().sentence().contains(QLatin1String("Turn left")));
+}
+
+void LiveTest::everyLabelIsReadable_data() {
+    QTest::addColumn<bool>("dark");
+    QTest::newRow("light") << false;
+    QTest::newRow("dark") << true;
+}
+
+void LiveTest::everyLabelIsReadable() {
+    QFETCH(bool, dark);
+    const QPalette before = QApplication::palette();
+    QPalette palette = before;
+    if (dark) {
+        palette = QPalette(QColor(0x2b2f36));
+        palette.setColor(QPalette::Base, QColor(0x1e2126));
+        palette.setColor(QPalette::AlternateBase, QColor(0x262a30));
+        for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText}) palette.setColor(role, QColor(0xf0f2f5));
+    }
+    QApplication::setPalette(palette);
+    m_page->setBuilding(test::handMadeBuilding());
+    m_page->show(test::handMadeSnapshot());
+    m_page->instruction().setVoice(QStringLiteral("broken"), true);
+    for (const BannerKind kind : {BannerKind::Note, BannerKind::Warning, BannerKind::Problem})
+        m_page->banners().show(QString::number(static_cast<int>(kind)), {kind, QStringLiteral("Something is to be told."), {}, {}, true});
+    QCoreApplication::processEvents();
+    for (const QLabel* label : m_page->findChildren<QLabel*>()) {
+        if (!label->isVisibleTo(m_page.get()) || !label->isEnabled()) continue;
+        const auto* banner = qobject_cast<const Banner*>(label->parentWidget());
+        const QColor back = banner ? banner->palette().color(QPalette::Window) : palette.color(QPalette::Window);
+        const double ratio = contrast(label->palette().color(QPalette::Active, QPalette::WindowText), back);
+        QVERIFY2(ratio >= 4.5, qPrintable(QStringLiteral("%1: %2").arg(label->text()).arg(ratio)));
+    }
+    if (qEnvironmentVariableIsSet("FAROL_SHOTS"))
+        m_page->grab().save(qEnvironmentVariable("FAROL_SHOTS") + (dark ? QStringLiteral("/dark.png") : QStringLiteral("/light.png")));
+    QApplication::setPalette(before);
 }
 
 void LiveTest::aBannerIsReplacedAndClosed() {

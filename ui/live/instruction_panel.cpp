@@ -50,11 +50,12 @@ void InstructionPanel::setBuilding(std::shared_ptr<const building::Building> bui
     m_building = std::move(building);
     m_snapshot.reset();
     m_said.clear();
+    m_saidCue.reset();
     retranslate();
 }
 
 void InstructionPanel::show(const std::shared_ptr<const session::Snapshot>& snapshot) {
-    if (!snapshot) m_said.clear();
+    if (!snapshot) setNotice({});
     m_snapshot = snapshot;
     retranslate();
 }
@@ -64,11 +65,13 @@ void InstructionPanel::note(const Utterance& utterance) {
     const bool current = utterance.state == UtteranceState::Speaking || utterance.state == UtteranceState::Shown;
     if (!current) return;
     m_said = utterance.text;
+    m_saidCue = utterance.cue;
     retranslate();
 }
 
 void InstructionPanel::setNotice(const QString& text) {
     m_said = text;
+    m_saidCue.reset();
     retranslate();
 }
 
@@ -81,6 +84,10 @@ void InstructionPanel::setVoice(const QString& status, bool trouble) {
 QString InstructionPanel::sentence() const { return m_sentence->text(); }
 QString InstructionPanel::way() const { return m_way->text(); }
 QString InstructionPanel::voiceText() const { return m_voice->text(); }
+
+bool InstructionPanel::outdated() const {
+    return m_saidCue && m_snapshot && m_snapshot->step.percept.time > m_saidCue->validUntil;
+}
 
 QString InstructionPanel::progressText() const {
     const guidance::Progress& progress = m_snapshot->step.progress;
@@ -108,7 +115,17 @@ QString InstructionPanel::progressText() const {
 
 void InstructionPanel::retranslate() {
     setAccessibleName(tr("Next instruction"));
-    m_way->setText(m_snapshot ? progressText() : QString());
+    // A sentence of a while ago must not look like an order of now.
+    const bool old = outdated();
+    QFont font = m_sentence->font();
+    if (font.bold() == old) {
+        font.setBold(!old);
+        m_sentence->setFont(font);
+    }
+    QStringList way;
+    if (old) way << tr("Said at %1").arg(clockText(m_saidCue->time));
+    if (m_snapshot) way << progressText();
+    m_way->setText(way.join(QStringLiteral(" · ")));
     if (!m_said.isEmpty()) m_sentence->setText(m_said);
     else if (!m_building) m_sentence->setText(tr("Open a map to begin."));
     else if (!m_snapshot) m_sentence->setText(tr("Ready. Press Play to start the walk."));

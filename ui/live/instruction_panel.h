@@ -7,6 +7,7 @@
 #include <QFrame>
 
 #include <memory>
+#include <optional>
 
 class QLabel;
 
@@ -34,10 +35,12 @@ protected:
 private:
     void retranslate();
     QString progressText() const;
+    bool outdated() const; ///< what was said last no longer holds
 
     std::shared_ptr<const building::Building> m_building;
     std::shared_ptr<const session::Snapshot> m_snapshot;
     QString m_said;
+    std::optional<guidance::Cue> m_saidCue;
     QString m_voiceStatus;
     bool m_voiceTrouble = false;
     QLabel* m_sentence;

@@ -152,6 +152,22 @@ TEST(ImportOsm, LandmarksNeedALevel) {
     EXPECT_EQ(left->ids.size(), 1U);
 }
 
+TEST(ImportOsm, ThePackedFormSaysTheSame) {
+    auto importer = makeOsmImporter();
+    auto listing = listingOf({fixture("sit_house.osm.pbf")});
+    EXPECT_GT(importer->recognises(listing), 0);
+    auto packed = importer->read(listing, {});
+    ASSERT_TRUE(packed.ok()) << packed.error().text();
+    RawMap map = house();
+    ASSERT_EQ(packed->data.regions.size(), map.data.regions.size());
+    for (std::size_t i = 0; i < map.data.regions.size(); ++i) {
+        EXPECT_EQ(packed->data.regions[i].id, map.data.regions[i].id);
+        EXPECT_EQ(packed->data.regions[i].name, map.data.regions[i].name);
+    }
+    EXPECT_EQ(packed->data.accesses.size(), map.data.accesses.size());
+    EXPECT_EQ(packed->data.landmarks.size(), map.data.landmarks.size());
+}
+
 std::string collection(const std::string& features) {
     return R"({"type":"FeatureCollection","features":[)" + features + "]}";
 }

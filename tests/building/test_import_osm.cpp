@@ -221,6 +221,17 @@ TEST(ImportOsm, RefusesWhatIsNoMap) {
     }
 }
 
+TEST(ImportOsm, RefusesWaysThatCrossEverything) {
+    std::string features;
+    for (int i = 0; i < 3000; ++i) {
+        std::string id = std::to_string(i);
+        std::string one = room("0"), way = R"({"type":"Feature","properties":{"@id":"way/w)" + id +
+            R"(","highway":"corridor","level":"0"},"geometry":{"type":"LineString","coordinates":[[7,50.0001],[7.001,50.0002]]}})";
+        features += (i == 0 ? "" : ",") + one.replace(one.find("way/1"), 5, "way/" + id) + "," + way;
+    }
+    EXPECT_FALSE(readBytes(*makeOsmImporter(), "map.geojson", collection(features)).ok());
+}
+
 TEST(ImportOsm, RefusesABillionLaughs) {
     std::string bomb = "<?xml version=\"1.0\"?><!DOCTYPE osm [<!ENTITY a \"ha\">";
     for (char c = 'b'; c < 'k'; ++c) {

@@ -13,7 +13,7 @@ namespace farol::building {
 
 namespace {
 
-constexpr std::size_t kMaxRegions = 20000;
+constexpr std::size_t kMaxRegions = 20000, kMaxMeetings = 200000;
 constexpr double kWalkWidthM = 2.0;
 constexpr double kLeastAreaM2 = 0.5;
 constexpr double kLiftSideM = 1.6;
@@ -45,7 +45,7 @@ OsmBuilder::NodeKey OsmBuilder::keyOf(Point2 degrees) {
 }
 
 Error OsmBuilder::tooMuch() const {
-    return {ErrorCode::Corrupt, "makes more than 20,000 regions on its levels: cut the building out of it", m_context};
+    return {ErrorCode::Corrupt, "makes more than 20,000 regions on its levels, or its ways cross too many of them: cut the building out of it", m_context};
 }
 
 Result<RawMap> OsmBuilder::build() {
@@ -61,6 +61,7 @@ Result<RawMap> OsmBuilder::build() {
                      "holds no indoor areas: rooms, corridors and areas must be tagged indoor=* with a level", m_context};
     addDoors();
     addRoomOpenings();
+    if (m_tooMuch) return tooMuch();
     joinLonelyLifts();
     addSteps();
     if (m_tooMuch) return tooMuch();
@@ -221,17 +222,37 @@ void OsmBuilder::addWalkRegions() {
         if (!m_tooMuch) addWalkRegionsOf(level);
 }
 
+/// The areas in whose boxes the line runs, as one; null when there are none.
+GeometryPtr OsmBuilder::areasNear(const Polyline& line, const std::vector<std::size_t>& areas, double reach) {
+    std::vector<GeometryPtr> parts;
+    Box2 box = boundingBox(line).value_or(Box2{});
+    for (std::size_t index : areas) {
+        const Box2& area = m_boxes[index];
+        bool meet = box.low.x - reach <= area.high.x && area.low.x <= box.high.x + reach &&
+                    box.low.y - reach <= area.high.y && area.low.y <= box.high.y + reach;
+        if (!meet) continue;
+        if (!mayMeet()) return nullptr;
+        if (auto polygon = ogrPolygon(m_map.data.regions[index].polygon)) parts.push_back(std::move(polygon));
+    }
+    return unionOf(parts);
+}
+
+/// Counts what lines and areas have to do with each other: a real building is far below the limit.
+bool OsmBuilder::mayMeet() {
+    m_tooMuch = m_tooMuch || ++m_meetings > kMaxMeetings;
+    return !m_tooMuch;
+}
+
 // The part of a walked line outside every area becomes a strip of the line's width; strips that meet are one corridor.
 void OsmBuilder::addWalkRegionsOf(double level) {
     GdalMessages quiet;
-    std::vector<GeometryPtr> areas;
-    for (std::size_t index : m_onLevel[level])
-        if (auto polygon = ogrPolygon(m_map.data.regions[index].polygon)) areas.push_back(std::move(polygon));
-    GeometryPtr covered = unionOf(areas);
+    const std::vector<std::size_t> areas = m_onLevel[level];
     std::map<std::string, std::vector<GeometryPtr>> strips;
     for (const WalkLine& walk : m_walks) {
         if (walk.level != level) continue;
         double width = std::clamp(plainNumber(walk.feature->tag("width")).value_or(kWalkWidthM), 0.5, 10.0);
+        GeometryPtr covered = areasNear(walk.line, areas, width);
+        if (m_tooMuch) return;
         GeometryPtr line = ogrLine(walk.line);
         if (covered != nullptr && line != nullptr) line.reset(line->Difference(covered.get()));
         if (line == nullptr || line->IsEmpty() != FALSE) continue;

@@ -50,6 +50,8 @@ private:
     void collectWalkLines();
     void addWalkRegions();
     void addWalkRegionsOf(double level);
+    GeometryPtr areasNear(const Polyline& line, const std::vector<std::size_t>& areas, double reach);
+    bool mayMeet();
     void addWalls();
     void addLandmarks();
     void addLevelRows();
@@ -89,6 +91,7 @@ private:
     std::set<std::string> m_stairIds;
     std::map<double, int> m_escalators;
     std::size_t m_stairsFrom = static_cast<std::size_t>(-1); ///< regions from here on are halves of steps
+    std::size_t m_meetings = 0;
     bool m_tooMuch = false;
 };
 

@@ -160,6 +160,7 @@ void OsmBuilder::addRoomOpenings() {
         GeometryPtr line = ogrLine(walk.line);
         for (std::size_t room : m_onLevel[walk.level]) {
             if (!m_walled[room] || !meet(box, m_boxes[room])) continue;
+            if (!mayMeet()) return;
             Polyline outline = m_map.data.regions[room].polygon.outer;
             outline.push_back(outline.front());
             GeometryPtr border = ogrLine(outline);

@@ -8,6 +8,7 @@ namespace farol::cli {
 
 void addMapCommands(CLI::App& app, int& exitCode);         ///< map check, info, and what follows
 void addMapImport(CLI::App& map, int& exitCode);           ///< map import
+void addMapAmbiguity(CLI::App& map, int& exitCode);        ///< map ambiguity
 void addRouteCommand(CLI::App& app, int& exitCode);        ///< route
 void addLibraryCommands(CLI::App& app, int& exitCode);     ///< train, library list, library remove
 void addRecogniseCommands(CLI::App& app, int& exitCode);   ///< recognise, detect

@@ -132,6 +132,7 @@ void addMapCommands(CLI::App& app, int& exitCode) {
     check->callback([checkArguments, &exitCode] { exitCode = checkMap(checkArguments->map, checkArguments->json); });
 
     addMapImport(*map, exitCode);
+    addMapAmbiguity(*map, exitCode);
     CLI::App* info = map->add_subcommand("info", "Counts what is in a map");
     auto infoArguments = std::make_shared<MapArguments>();
     addMapArguments(*info, infoArguments);

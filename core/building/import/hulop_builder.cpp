@@ -15,7 +15,7 @@ namespace farol::building {
 
 namespace {
 
-constexpr std::size_t kMaxNodes = 20000, kMaxLinks = 50000, kMaxFacilities = 20000;
+constexpr std::size_t kMaxNodes = 20000, kMaxLinks = 50000, kMaxFacilities = 20000, kMaxStrips = 600;
 constexpr double kFacilitySideM = 2.0, kFarM = 20.0;
 
 Point2 centreOf(const HulopRecords& records) {
@@ -147,6 +147,8 @@ void HulopBuilder::addLink(const HulopLink& link) {
 }
 
 void HulopBuilder::addStrips(const HulopLink& link, const Polyline& line, Place& from, Place& to) {
+    // No place in a building has hundreds of ways: more only cost time.
+    if (std::max({line.size(), from.strips.size(), to.strips.size()}) > kMaxStrips) return;
     Polyline back(line.rbegin(), line.rend());
     appendStrip(firstHalf(line).first, link.widthM / 2, from.strips);
     appendStrip(firstHalf(back).first, link.widthM / 2, to.strips);

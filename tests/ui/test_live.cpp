@@ -232,11 +232,13 @@ void LiveTest::everyLabelIsReadable() {
         for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText}) palette.setColor(role, QColor(0xf0f2f5));
     }
     QApplication::setPalette(palette);
+    m_page->ensurePolished();
     m_page->setBuilding(test::handMadeBuilding());
     m_page->show(test::handMadeSnapshot());
     m_page->instruction().setVoice(QStringLiteral("broken"), true);
     for (const BannerKind kind : {BannerKind::Note, BannerKind::Warning, BannerKind::Problem})
         m_page->banners().show(QString::number(static_cast<int>(kind)), {kind, QStringLiteral("Something is to be told."), {}, {}, true});
+    m_page->QWidget::show(); // palettes reach a window when it is shown
     QCoreApplication::processEvents();
     for (const QLabel* label : m_page->findChildren<QLabel*>()) {
         if (!label->isVisibleTo(m_page.get()) || !label->isEnabled()) continue;

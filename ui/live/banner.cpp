@@ -117,6 +117,12 @@ void BannerStack::hide(const QString& key) {
     banner->deleteLater(); // its own button may have called us
 }
 
+void BannerStack::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::PaletteChange)
+        for (Banner* banner : std::as_const(m_banners)) banner->colour();
+    QWidget::changeEvent(event);
+}
+
 QString BannerStack::text(const QString& key) const {
     const Banner* banner = m_banners.value(key);
     return banner ? banner->text() : QString();

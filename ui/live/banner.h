@@ -32,6 +32,7 @@ public:
 
     void show(BannerText text);
     QString text() const;
+    void colour(); ///< by the palette of what it stands in
 
 Q_SIGNALS:
     void closed();
@@ -40,7 +41,6 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
-    void colour();
     void retranslate();
 
     QLabel* m_kind;
@@ -61,6 +61,9 @@ public:
     void hide(const QString& key);
     bool shows(const QString& key) const { return m_banners.contains(key); }
     QString text(const QString& key) const;
+
+protected:
+    void changeEvent(QEvent* event) override;
 
 private:
     QVBoxLayout* m_layout;

@@ -85,7 +85,6 @@ void MapPainter::paintFurnishing(QPainter& painter) const {
     if (m_view.pixelsPerMetre() >= kSymbolsFromScale)
         for (const std::size_t index : m_level->landmarks)
             paintLandmark(painter, m_scene.building().landmarks()[index]);
-    paintNames(painter);
 }
 
 void MapPainter::paintAccess(QPainter& painter, const AccessShape& shape) const {
@@ -159,6 +158,8 @@ void MapPainter::paintText(QPainter& painter, QPointF centre, const QString& tex
 }
 
 void MapPainter::paintNames(QPainter& painter) const {
+    if (!m_level) return;
+    painter.setRenderHint(QPainter::Antialiasing);
     const QFontMetricsF metrics(m_font);
     std::vector<QRectF> taken; // names already set keep their place
     for (const RegionShape& shape : m_level->regions) {
@@ -203,7 +204,8 @@ void MapPainter::paintArrows(QPainter& painter, const QPolygonF& line) const {
 }
 
 void MapPainter::paintRoute(QPainter& painter, const MapOverlay& overlay) const {
-    if (!overlay.route) return;
+    if (!m_level || !overlay.route) return;
+    painter.setRenderHint(QPainter::Antialiasing);
     std::vector<QPolygonF> pieces;
     bool here = false;
     for (const routing::PathPoint& point : overlay.route->path) {
@@ -223,12 +225,21 @@ void MapPainter::paintRoute(QPainter& painter, const MapOverlay& overlay) const 
     }
 }
 
+void MapPainter::paintOutline(QPainter& painter, const RegionShape& shape, const QColor& colour,
+                              Qt::PenStyle style) const {
+    const QPainterPath path = m_view.painterTransform().map(shape.path);
+    painter.save();
+    painter.setClipPath(path); // inside only: doors and walls on the border stay visible
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(colour, 6.0, style, Qt::FlatCap, Qt::MiterJoin));
+    painter.drawPath(path);
+    painter.restore();
+}
+
 void MapPainter::paintPin(QPainter& painter, const RegionId& region, const QColor& colour) const {
     const RegionShape* shape = m_scene.shapeOf(region);
     if (!shape || m_scene.building().regions()[shape->index].level != m_level->ordinal) return;
-    painter.setPen(roundPen(colour, 3.0, Qt::DashLine));
-    painter.setBrush(Qt::NoBrush);
-    painter.drawPath(m_view.painterTransform().map(shape->path));
+    paintOutline(painter, *shape, colour, Qt::DashLine);
     const QPointF foot = screen(shape->labelAt) - QPointF(0, 12);
     QPainterPath pin;
     pin.moveTo(foot);
@@ -247,11 +258,7 @@ void MapPainter::paintPlaceMark(QPainter& painter, const MapOverlay& overlay) co
     const bool sure = fix.confidence >= overlay.sureConfidence;
     const RegionShape* shape = fix.region ? m_scene.shapeOf(*fix.region) : nullptr;
     const bool shapeHere = shape && m_scene.building().regions()[shape->index].level == m_level->ordinal;
-    if (shapeHere) {
-        painter.setPen(roundPen(m_colours.fix, 3.0, sure ? Qt::SolidLine : Qt::DashLine));
-        painter.setBrush(Qt::NoBrush);
-        painter.drawPath(m_view.painterTransform().map(shape->path));
-    }
+    if (shapeHere) paintOutline(painter, *shape, m_colours.fix, sure ? Qt::SolidLine : Qt::DashLine);
     const bool levelHere = !fix.level || *fix.level == m_level->ordinal;
     if (!levelHere || (!fix.position && !shapeHere)) return;
     const QPointF at = screen(fix.position ? *fix.position : shape->labelAt);
@@ -279,10 +286,9 @@ void MapPainter::paintPlaceMark(QPainter& painter, const MapOverlay& overlay) co
     painter.setBrush(Qt::NoBrush);
 }
 
-void MapPainter::paintOverlay(QPainter& painter, const MapOverlay& overlay) const {
+void MapPainter::paintMarks(QPainter& painter, const MapOverlay& overlay) const {
     if (!m_level) return;
     painter.setRenderHint(QPainter::Antialiasing);
-    paintRoute(painter, overlay);
     if (overlay.destination) paintPin(painter, *overlay.destination, m_colours.destination);
     if (overlay.fix) {
         if (const building::Landmark* seen = m_scene.building().landmark(overlay.fix->landmark);

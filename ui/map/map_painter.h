@@ -1,5 +1,6 @@
 #pragma once
-// Draws a level: the parts that stay (two cached pictures: below and above the tint) and the light ones that change.
+// Draws a level: the parts that stay (cached pictures below and above the tint, and the
+// names) and the light ones that change.
 
 #include "ui/map/hit_detector.h"
 #include "ui/map/map_colours.h"
@@ -19,8 +20,10 @@ public:
 
     void paintGround(QPainter& painter) const;   ///< floors
     void paintTint(QPainter& painter, const MapOverlay& overlay) const;
-    void paintFurnishing(QPainter& painter) const; ///< borders, walls, accesses, landmarks, names
-    void paintOverlay(QPainter& painter, const MapOverlay& overlay) const; ///< route, destination, where one is
+    void paintFurnishing(QPainter& painter) const; ///< borders, walls, accesses, landmarks
+    void paintRoute(QPainter& painter, const MapOverlay& overlay) const;
+    void paintNames(QPainter& painter) const; ///< above the route, which runs along the middle of corridors
+    void paintMarks(QPainter& painter, const MapOverlay& overlay) const; ///< destination, where one is
     void paintSelection(QPainter& painter, const MapHit& hit, bool strong) const;
     /// A few words and a scale in the lower left corner.
     void paintLegend(QPainter& painter, const QString& unlikely, const QString& likely) const;
@@ -28,8 +31,7 @@ public:
 private:
     void paintAccess(QPainter& painter, const AccessShape& shape) const;
     void paintLandmark(QPainter& painter, const building::Landmark& landmark) const;
-    void paintNames(QPainter& painter) const;
-    void paintRoute(QPainter& painter, const MapOverlay& overlay) const;
+    void paintOutline(QPainter& painter, const RegionShape& shape, const QColor& colour, Qt::PenStyle style) const;
     void paintArrows(QPainter& painter, const QPolygonF& line) const;
     void paintPlaceMark(QPainter& painter, const MapOverlay& overlay) const;
     void paintPin(QPainter& painter, const RegionId& region, const QColor& colour) const;

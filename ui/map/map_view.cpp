@@ -95,6 +95,7 @@ std::optional<MapHit> MapView::hit(QPointF screen) const {
 void MapView::dropCache() {
     m_ground = QPixmap();
     m_furnishing = QPixmap();
+    m_names = QPixmap();
     update();
 }
 
@@ -115,6 +116,10 @@ void MapView::renderCache() {
     m_furnishing = fresh();
     QPainter furnishing(&m_furnishing);
     map.paintFurnishing(furnishing);
+    furnishing.end();
+    m_names = fresh();
+    QPainter names(&m_names);
+    map.paintNames(names);
 }
 
 void MapView::paintEvent(QPaintEvent* /*event*/) {
@@ -132,7 +137,9 @@ void MapView::paintEvent(QPaintEvent* /*event*/) {
     painter.drawPixmap(0, 0, m_ground);
     map.paintTint(painter, m_overlay);
     painter.drawPixmap(0, 0, m_furnishing);
-    map.paintOverlay(painter, m_overlay);
+    map.paintRoute(painter, m_overlay);
+    painter.drawPixmap(0, 0, m_names);
+    map.paintMarks(painter, m_overlay);
     if (m_hovered) map.paintSelection(painter, *m_hovered, false);
     if (m_selected) map.paintSelection(painter, *m_selected, true);
     map.paintLegend(painter, tr("Less likely"), tr("More likely"));

@@ -70,7 +70,7 @@ private:
     double m_level = 0.0;
     ViewTransform m_view;
     bool m_fitted = true; ///< keep showing all on a resize, until the user moves the map
-    QPixmap m_ground, m_furnishing;
+    QPixmap m_ground, m_furnishing, m_names;
     std::optional<MapHit> m_hovered, m_selected;
     std::optional<QPointF> m_pressedAt;
     bool m_dragging = false;

@@ -1,5 +1,7 @@
 #include "core/building/access_regions.h"
 
+#include "core/building/level_regions.h"
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -13,14 +15,15 @@ constexpr double kReachM = 0.3;
 
 using Sides = std::pair<RegionId, RegionId>;
 
-std::optional<RegionId> regionAt(const std::vector<Region>& regions, Point2 point, double level) {
-    const Region* best = nullptr;
-    for (const Region& region : regions) {
-        if (std::abs(region.level - level) > 1e-6 || !contains(region.polygon, point)) continue;
-        if (best == nullptr || area(region.polygon) < area(best->polygon)) best = &region;
-    }
-    if (best == nullptr) return std::nullopt;
-    return best->id;
+/// The regions of a map and where they lie.
+struct Plan {
+    const std::vector<Region>& regions;
+    LevelRegions index;
+};
+
+RegionId regionAt(const Plan& plan, Point2 point, double level) {
+    auto found = plan.index.at(level, point);
+    return found ? plan.regions[*found].id : RegionId();
 }
 
 /// The direction of the line where its midpoint lies.
@@ -36,18 +39,20 @@ Point2 directionAtMiddle(const Polyline& line, Point2 middle) {
     return direction;
 }
 
-Sides besideLine(const std::vector<Region>& regions, const Access& access) {
+Sides besideLine(const Plan& plan, const Access& access) {
     Point2 middle = access.midpoint();
     Point2 along = directionAtMiddle(access.line, middle);
     Point2 left = Point2{-along.y, along.x} * (kReachM / length(along));
-    return {regionAt(regions, middle + left, access.level).value_or(RegionId()),
-            regionAt(regions, middle - left, access.level).value_or(RegionId())};
+    return {regionAt(plan, middle + left, access.level),
+            regionAt(plan, middle - left, access.level)};
 }
 
-Sides aroundPoint(const std::vector<Region>& regions, const Access& access) {
+Sides aroundPoint(const Plan& plan, const Access& access) {
     std::vector<std::pair<double, const Region*>> near;
-    for (const Region& region : regions) {
-        if (std::abs(region.level - access.level) > 1e-6 || region.polygon.outer.size() < 3) continue;
+    Box2 box = grown({access.midpoint(), access.midpoint()}, kReachM);
+    for (std::size_t at : plan.index.meeting(access.level, box)) {
+        const Region& region = plan.regions[at];
+        if (region.polygon.outer.size() < 3) continue;
         double gap = distanceToPolygon(region.polygon, access.midpoint());
         if (gap <= kReachM) near.emplace_back(gap, &region);
     }
@@ -60,10 +65,11 @@ Sides aroundPoint(const std::vector<Region>& regions, const Access& access) {
 } // namespace
 
 void deriveAccessRegions(BuildingData& data) {
+    Plan plan{data.regions, LevelRegions(data.regions)};
     for (Access& access : data.accesses) {
         if ((!access.regionA.empty() && !access.regionB.empty()) || access.line.empty()) continue;
         bool isLine = access.line.size() > 1 && access.line.front() != access.line.back();
-        auto [first, second] = isLine ? besideLine(data.regions, access) : aroundPoint(data.regions, access);
+        auto [first, second] = isLine ? besideLine(plan, access) : aroundPoint(plan, access);
         if (first == second) second = RegionId();
         if (access.regionA.empty() && access.regionB.empty()) {
             access.regionA = first;

@@ -63,6 +63,7 @@ private:
     std::string m_place;
     DatasetPtr m_dataset;
     BuildingData m_data;
+    std::map<std::string, double> m_regionLevels; ///< by id
     std::string m_schema;
     std::vector<std::string> m_warnings;
     std::map<std::string, std::vector<std::string>> m_unknownKinds; ///< kind -> ids
@@ -233,6 +234,7 @@ Result<void> Reader::readRegions() {
         region.restricted = row.flag("restricted");
         region.polygon = row.polygon();
         region.extra = row.extra();
+        m_regionLevels.emplace(region.id.value, region.level);
         m_data.regions.push_back(std::move(region));
     });
     if (done && m_data.regions.empty())
@@ -246,10 +248,9 @@ void Reader::readAccess(FeatureRow& row) {
     readKind(row, accessKindFromName(row.text("kind")), access.kind, access.kindText);
     access.regionA = RegionId(row.text("region_a"));
     access.regionB = RegionId(row.text("region_b"));
-    auto first = std::find_if(m_data.regions.begin(), m_data.regions.end(),
-                              [&](const Region& region) { return region.id == access.regionA; });
-    bool derived = !row.has("level") && first != m_data.regions.end();
-    access.level = derived ? first->level : row.level();
+    auto first = m_regionLevels.find(access.regionA.value);
+    bool derived = !row.has("level") && first != m_regionLevels.end();
+    access.level = derived ? first->second : row.level();
     access.shaft = ShaftId(row.text("shaft"));
     std::string oneWay = row.text("oneway");
     if (oneWay == "a_to_b") access.oneWay = OneWay::AToB;

@@ -1,3 +1,4 @@
+#include "core/base/ogr.h"
 #include "core/building/import/importer.h"
 
 #include <cpl_vsi.h>
@@ -25,6 +26,7 @@ std::string lastPart(const std::string& name) { return name.substr(name.rfind('/
 } // namespace
 
 std::string SourceListing::head(const SourceMember& member, std::size_t bytes) const {
+    GdalMessages quiet;
     VsiFile file(VSIFOpenL(member.ogrPath.c_str(), "rb"));
     if (file == nullptr) return {};
     std::string text(bytes, '\0');
@@ -33,6 +35,7 @@ std::string SourceListing::head(const SourceMember& member, std::size_t bytes) c
 }
 
 Result<std::string> SourceListing::content(const SourceMember& member, std::uint64_t limit) const {
+    GdalMessages quiet;
     VsiFile file(VSIFOpenL(member.ogrPath.c_str(), "rb"));
     if (file == nullptr) return Error{ErrorCode::Io, "cannot be opened", member.name};
     std::string text;

@@ -66,12 +66,39 @@ bool namesReference(const OGRSpatialReference* reference) {
     return name != nullptr && std::string(name).rfind("Undefined", 0) != 0;
 }
 
+/// Texts of a .dbf that names no encoding (no .cpg, language byte unset or "ANSI") come as they are: UTF-8 where they
+/// are valid as such, else taken as Latin-1 later. GDAL alone would read UTF-8 as Latin-1.
+class PlainEncoding {
+public:
+    explicit PlainEncoding(const std::string& path) {
+        std::string base = path.substr(0, path.rfind('.'));
+        VSIStatBufL state;
+        for (const char* ending : {".cpg", ".CPG"})
+            if (VSIStatL((base + ending).c_str(), &state) == 0) return;
+        VSILFILE* table = VSIFOpenL((base + ".dbf").c_str(), "rb");
+        if (table == nullptr) return;
+        unsigned char header[30] = {};
+        m_set = VSIFReadL(header, 1, sizeof header, table) == sizeof header && (header[29] == 0 || header[29] == 0x57);
+        VSIFCloseL(table);
+        if (m_set) CPLSetThreadLocalConfigOption("SHAPE_ENCODING", "");
+    }
+    ~PlainEncoding() {
+        if (m_set) CPLSetThreadLocalConfigOption("SHAPE_ENCODING", nullptr);
+    }
+    PlainEncoding(const PlainEncoding&) = delete;
+    PlainEncoding& operator=(const PlainEncoding&) = delete;
+
+private:
+    bool m_set = false;
+};
+
 } // namespace
 
 TableReader::TableReader(TableWords words, ImportOptions options) : m_words(std::move(words)), m_options(std::move(options)) {}
 TableReader::~TableReader() = default;
 
 Result<void> TableReader::read(const SourceMember& member) {
+    PlainEncoding encoding(member.ogrPath);
     auto dataset = openVector(member.ogrPath);
     if (!dataset) {
         Error error = dataset.error();

@@ -203,7 +203,7 @@ Result<std::unique_ptr<FrameSource>> openVideoFile(const fs::path& path, const S
     std::string file = path.string();
     cv::VideoCapture capture;
     bool opened = tryOpen([&](cv::VideoCapture& c) { return c.open(file, cv::CAP_FFMPEG); }, capture) ||
-                  tryOpen([&](cv::VideoCapture& c) { return c.open(file, cv::CAP_ANY); }, capture);
+                  tryOpen([&](cv::VideoCapture& c) { return c.open(file, cv::CAP_GSTREAMER); }, capture);
     if (!opened)
         return Error{ErrorCode::UnsupportedFormat,
                      "is neither a picture nor a video that can be opened (tried FFmpeg and every other video reader)",

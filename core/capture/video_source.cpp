@@ -206,7 +206,7 @@ Result<std::unique_ptr<FrameSource>> openVideoFile(const fs::path& path, const S
                   tryOpen([&](cv::VideoCapture& c) { return c.open(file, cv::CAP_GSTREAMER); }, capture);
     if (!opened)
         return Error{ErrorCode::UnsupportedFormat,
-                     "is neither a picture nor a video that can be opened (tried FFmpeg and every other video reader)",
+                     "is neither a picture nor a video that can be opened (tried FFmpeg and GStreamer)",
                      file};
     return std::unique_ptr<FrameSource>(
         std::make_unique<VideoFileSource>(path.filename().string(), std::move(capture), options.framesPerSecond));

@@ -1,6 +1,5 @@
 #include "app/farol-cli/commands.h"
 #include "app/farol-cli/output.h"
-
 #include "core/building/ambiguity.h"
 #include "core/building/geopackage.h"
 #include "core/session/json_fields.h"
@@ -51,14 +50,16 @@ std::string listed(const building::Building& map, const std::vector<RegionId>& i
 }
 
 void print(const building::Building& map, const Ambiguity& ambiguity) {
-    printLine(std::to_string(ambiguity.groups.size()) + " groups of regions that the last four landmarks cannot tell apart (" +
+    printLine(std::to_string(ambiguity.groups.size()) +
+              " groups of regions that the last four landmarks cannot tell apart (" +
               std::to_string(ambiguity.confusedPairs) + " pairs)");
     for (const auto& group : ambiguity.groups) printLine("  " + listed(map, group));
-    printLine(std::to_string(ambiguity.withoutLandmarks.size()) + " of " + std::to_string(map.regions().size()) +
-              " regions have no landmark" + (ambiguity.withoutLandmarks.empty() ? "" : ": " + listed(map, ambiguity.withoutLandmarks)));
+    printLine(std::to_string(ambiguity.withoutLandmarks.size()) + " of " +
+              std::to_string(map.regions().size()) + " regions have no landmark" +
+              (ambiguity.withoutLandmarks.empty() ? "" : ": " + listed(map, ambiguity.withoutLandmarks)));
     for (const Ambiguity::Suggestion& suggestion : ambiguity.suggestions)
-        printLine("one more landmark in " + listed(map, {suggestion.region}) + " tells " + std::to_string(suggestion.pairs) +
-                  " pairs apart");
+        printLine("one more landmark in " + listed(map, {suggestion.region}) + " tells " +
+                  std::to_string(suggestion.pairs) + " pairs apart");
 }
 
 int mapAmbiguity(const AmbiguityArguments& arguments) {
@@ -66,17 +67,21 @@ int mapAmbiguity(const AmbiguityArguments& arguments) {
     if (!loaded) return report(loaded.error());
     warnAll(loaded->warnings);
     Ambiguity ambiguity = building::findAmbiguity(*loaded->building);
-    if (arguments.json) printLine(session::dumped(ambiguityJson(*loaded->building, ambiguity)));
-    else print(*loaded->building, ambiguity);
+    if (arguments.json)
+        printLine(session::dumped(ambiguityJson(*loaded->building, ambiguity)));
+    else
+        print(*loaded->building, ambiguity);
     return kDone;
 }
 
 } // namespace
 
 void addMapAmbiguity(CLI::App& map, int& exitCode) {
-    CLI::App* command = map.add_subcommand("ambiguity", "Says which regions the landmarks cannot tell apart, and where one more helps");
+    CLI::App* command = map.add_subcommand(
+        "ambiguity", "Says which regions the landmarks cannot tell apart, and where one more helps");
     auto arguments = std::make_shared<AmbiguityArguments>();
-    command->add_option("MAP", arguments->map, "Building file (.gpkg) or OGR connection string (PG:...)")->required();
+    command->add_option("MAP", arguments->map, "Building file (.gpkg) or OGR connection string (PG:...)")
+        ->required();
     command->add_flag("--json", arguments->json, "One JSON document on standard output");
     command->footer("Example:\n  farol-cli map ambiguity building.gpkg");
     command->callback([arguments, &exitCode] { exitCode = mapAmbiguity(*arguments); });

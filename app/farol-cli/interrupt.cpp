@@ -32,7 +32,7 @@ Interrupt::Interrupt(std::function<void()> onInterrupt) : m_onInterrupt(std::mov
     m_read = ends[0];
     m_write = ends[1];
     g_pipe = m_write;
-    struct sigaction action{};
+    struct sigaction action {};
     action.sa_handler = onSignal;
     sigemptyset(&action.sa_mask);
     action.sa_flags = static_cast<int>(SA_RESTART | SA_RESETHAND);
@@ -40,7 +40,8 @@ Interrupt::Interrupt(std::function<void()> onInterrupt) : m_onInterrupt(std::mov
     ::sigaction(SIGTERM, &action, &m_oldTerminate);
     m_watcher = std::jthread([this] {
         char byte = kQuit;
-        while (::read(m_read, &byte, 1) < 0 && errno == EINTR) {}
+        while (::read(m_read, &byte, 1) < 0 && errno == EINTR) {
+        }
         if (byte == kSignal) m_onInterrupt();
     });
 }

@@ -18,7 +18,8 @@ public:
 private:
     std::function<void()> m_onInterrupt;
     int m_read = -1, m_write = -1;
-    struct sigaction m_oldInterrupt{}, m_oldTerminate{};
+    struct sigaction m_oldInterrupt {
+    }, m_oldTerminate{};
     std::jthread m_watcher;
 };
 

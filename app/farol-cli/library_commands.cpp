@@ -1,6 +1,5 @@
 #include "app/farol-cli/commands.h"
 #include "app/farol-cli/output.h"
-
 #include "core/base/file.h"
 #include "core/recognition/library_check.h"
 #include "core/recognition/training.h"
@@ -20,7 +19,9 @@ using Json = nlohmann::ordered_json;
 using namespace recognition;
 
 /// Names may hold any bytes; JSON may not.
-std::string dumped(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+std::string dumped(const Json& json) {
+    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
 
 struct TrainArguments {
     std::string library, templateName, kind, name;
@@ -41,11 +42,13 @@ Result<TrainingRequest> requestFrom(const TrainArguments& arguments) {
     if (!kind) {
         std::string known;
         for (Kind one : allKinds()) known += (known.empty() ? "" : ", ") + std::string(kindName(one));
-        return Error{ErrorCode::InvalidArgument, "\"" + arguments.kind + "\" is no kind; the kinds are " + known, "--kind"};
+        return Error{ErrorCode::InvalidArgument,
+                     "\"" + arguments.kind + "\" is no kind; the kinds are " + known, "--kind"};
     }
     if (!arguments.outline.empty() && arguments.outline.size() != 8)
         return Error{ErrorCode::InvalidArgument,
-                     "an outline is four corners, x,y,x,y,x,y,x,y, clockwise from the object's top left", "--outline"};
+                     "an outline is four corners, x,y,x,y,x,y,x,y, clockwise from the object's top left",
+                     "--outline"};
     TrainingRequest request;
     request.id = TemplateId(arguments.templateName);
     request.kind = *kind;
@@ -63,7 +66,8 @@ int train(const TrainArguments& arguments) {
     std::optional<Quad> outline;
     if (!arguments.outline.empty()) {
         outline.emplace();
-        for (std::size_t i = 0; i < 4; ++i) (*outline)[i] = {arguments.outline[2 * i], arguments.outline[2 * i + 1]};
+        for (std::size_t i = 0; i < 4; ++i)
+            (*outline)[i] = {arguments.outline[2 * i], arguments.outline[2 * i + 1]};
     }
     std::size_t added = 0;
     int lastCode = kFailed;
@@ -84,8 +88,9 @@ int train(const TrainArguments& arguments) {
     const Template& entry = *library->find(request->id);
     std::size_t features = 0;
     for (const View& view : entry.views) features += view.features.keypoints.size();
-    std::printf("%s: template %s (%s) has %zu views and %zu features\n", arguments.library.c_str(), entry.id.value.c_str(),
-                std::string(kindName(entry.kind)).c_str(), entry.views.size(), features);
+    std::printf("%s: template %s (%s) has %zu views and %zu features\n", arguments.library.c_str(),
+                entry.id.value.c_str(), std::string(kindName(entry.kind)).c_str(), entry.views.size(),
+                features);
     return kDone;
 }
 
@@ -115,12 +120,12 @@ int list(const std::string& path, bool asJson) {
         printLine(dumped(json));
         return kDone;
     }
-    std::printf("%s: %zu templates, %zu views, %s\n", path.c_str(), library->templates.size(), library->viewCount(),
-                library->extractor.description().c_str());
+    std::printf("%s: %zu templates, %zu views, %s\n", path.c_str(), library->templates.size(),
+                library->viewCount(), library->extractor.description().c_str());
     for (const Template& entry : library->templates) {
         Json json = templateJson(entry);
-        std::printf("  %-24s %-16s %zu views  %s\n", entry.id.value.c_str(), json["kind"].get<std::string>().c_str(),
-                    entry.views.size(), entry.name.c_str());
+        std::printf("  %-24s %-16s %zu views  %s\n", entry.id.value.c_str(),
+                    json["kind"].get<std::string>().c_str(), entry.views.size(), entry.name.c_str());
     }
     return kDone;
 }
@@ -166,8 +171,8 @@ int check(const std::string& path, bool asJson) {
     for (const TemplateCheck& one : checks) {
         std::string line = "  " + one.id.value + ": ";
         line += one.tested == 0 ? "one view only, so none could be held back"
-                                : "found in " + std::to_string(one.found) + " of " + std::to_string(one.tested) +
-                                      " views held back";
+                                : "found in " + std::to_string(one.found) + " of " +
+                                      std::to_string(one.tested) + " views held back";
         for (const auto& [name, times] : one.confusedWith)
             line += "; confused with " + name + " (" + std::to_string(times) + ")";
         std::printf("%s\n", line.c_str());
@@ -177,19 +182,28 @@ int check(const std::string& path, bool asJson) {
 
 void addTrain(CLI::App& app, int& exitCode) {
     CLI::App* command = app.add_subcommand("train", "Teach a library what a landmark looks like");
-    command->footer("Example:\n  farol-cli train corridor.gpkg --template extinguisher-2 --kind extinguisher "
-                    "--outline 120,80,220,80,220,320,120,320 --width-m 0.2 near.jpg left.jpg right.jpg\n"
-                    "Kind place takes whole pictures of a spot; every other kind an object, flat or nearly so.");
+    command->footer(
+        "Example:\n  farol-cli train corridor.gpkg --template extinguisher-2 --kind extinguisher "
+        "--outline 120,80,220,80,220,320,120,320 --width-m 0.2 near.jpg left.jpg right.jpg\n"
+        "Kind place takes whole pictures of a spot; every other kind an object, flat or nearly so.");
     auto arguments = std::make_shared<TrainArguments>();
-    command->add_option("library", arguments->library, "Library or map (*.gpkg); made when it is not there")->required();
-    command->add_option("--template", arguments->templateName, "Name of the template; more views of one are added")->required();
-    command->add_option("--kind", arguments->kind, "What it is: place, door, poster, extinguisher, sign, ...")->required();
-    command->add_option("--outline", arguments->outline, "x,y,x,y,x,y,x,y in pixels, clockwise from the object's top left; "
-                                                         "the whole picture without it")
+    command->add_option("library", arguments->library, "Library or map (*.gpkg); made when it is not there")
+        ->required();
+    command
+        ->add_option("--template", arguments->templateName,
+                     "Name of the template; more views of one are added")
+        ->required();
+    command->add_option("--kind", arguments->kind, "What it is: place, door, poster, extinguisher, sign, ...")
+        ->required();
+    command
+        ->add_option("--outline", arguments->outline,
+                     "x,y,x,y,x,y,x,y in pixels, clockwise from the object's top left; "
+                     "the whole picture without it")
         ->delimiter(',');
     command->add_option("--name", arguments->name, "Name for people");
     command->add_option("--width-m", arguments->widthM, "Real width in metres")->check(CLI::PositiveNumber);
-    command->add_option("--height-m", arguments->heightM, "Real height in metres")->check(CLI::PositiveNumber);
+    command->add_option("--height-m", arguments->heightM, "Real height in metres")
+        ->check(CLI::PositiveNumber);
     command->add_option("views", arguments->views, "Photographs")->required();
     command->callback([arguments, &exitCode] { exitCode = train(*arguments); });
 }
@@ -215,7 +229,8 @@ void addLibraryCommands(CLI::App& app, int& exitCode) {
     removal->add_option("library", arguments->path, "Library or map (*.gpkg)")->required();
     removal->add_option("template", arguments->name, "Name of the template")->required();
     removal->callback([arguments, &exitCode] { exitCode = removeOne(arguments->path, arguments->name); });
-    CLI::App* checking = library->add_subcommand("check", "Is each template found in views held back, and what is it confused with?");
+    CLI::App* checking = library->add_subcommand(
+        "check", "Is each template found in views held back, and what is it confused with?");
     checking->footer("Example:\n  farol-cli library check corridor.gpkg");
     checking->add_option("library", arguments->path, "Library or map (*.gpkg)")->required();
     checking->add_flag("--json", arguments->json, "One JSON document");

@@ -1,5 +1,4 @@
 #include "app/farol-cli/commands.h"
-
 #include "app/farol-cli/output.h"
 #include "app/farol-cli/walk_inputs.h"
 #include "core/base/text.h"
@@ -25,13 +24,15 @@ struct LocateOptions {
 constexpr char kExamples[] =
     "Examples:\n"
     "  farol-cli locate office.gpkg detections.jsonl --json-lines\n"
-    "  farol-cli run --map office.gpkg --source walk.mp4 --json-lines | farol-cli locate office.gpkg - --every 1\n"
+    "  farol-cli run --map office.gpkg --source walk.mp4 --json-lines | farol-cli locate office.gpkg - "
+    "--every 1\n"
     "Lines in: detections as `run` writes them, {\"t\":0,\"start\":\"R12\"|null}, {\"t\":0,\"to\":\"R40\"},\n"
     "{\"t\":1,\"motion\":{\"turn_deg\":-3.1,\"speed\":0.8}}; other lines of `run` only tell the time.\n";
 
 class Locate {
 public:
-    Locate(const LocateOptions& options, session::Navigator& navigator) : m_options(options), m_navigator(navigator) {}
+    Locate(const LocateOptions& options, session::Navigator& navigator)
+        : m_options(options), m_navigator(navigator) {}
 
     int run(std::istream& in);
 
@@ -58,7 +59,8 @@ private:
 void Locate::complain(const std::string& text) {
     constexpr std::size_t kMostComplaints = 20;
     ++m_complaints;
-    if (m_complaints <= kMostComplaints) warn(m_options.log + ", line " + std::to_string(m_line) + ": " + text);
+    if (m_complaints <= kMostComplaints)
+        warn(m_options.log + ", line " + std::to_string(m_line) + ": " + text);
     if (m_complaints == kMostComplaints + 1) warn(m_options.log + ": more such lines follow");
 }
 
@@ -92,10 +94,12 @@ void Locate::writeDue(double before, bool including) {
 }
 
 void Locate::act(session::LogDetection& line) {
-    if (!line.unknownKind.empty()) complain("the kind \"" + line.unknownKind + "\" is not known; it counts as other");
+    if (!line.unknownKind.empty())
+        complain("the kind \"" + line.unknownKind + "\" is not known; it counts as other");
     bool later = !m_now || line.percept.time > *m_now;
     line.percept.time = timeOf(line.percept.time);
-    // Lines of one moment are one frame: two extinguishers side by side are two, the same one a second later is one.
+    // Lines of one moment are one frame: two extinguishers side by side are two, the same one a second later
+    // is one.
     if (!line.frameGiven) line.percept.frame = m_navigator.lastFrame() + (later ? 1 : 0);
     localisation::Fix fix = m_navigator.advance(std::move(line.percept)).fix;
     if (m_options.every <= 0.0) write(fix);
@@ -114,8 +118,10 @@ void Locate::act(session::LogStart& line) {
     std::optional<RegionId> region;
     if (line.region) {
         auto place = building::resolveWhere(m_navigator.building(), line.region->value);
-        if (place) region = place->region;
-        else complain("the start " + place.error().text() + "; it counts as unknown");
+        if (place)
+            region = place->region;
+        else
+            complain("the start " + place.error().text() + "; it counts as unknown");
     }
     m_navigator.start(time, region);
 }
@@ -136,7 +142,8 @@ void Locate::write(const localisation::Fix& fix) {
         printLine(session::dumped(session::fixJson(fix)));
         return;
     }
-    if (!std::exchange(m_headWritten, true)) printLine("     t s  confidence  level  x, y m            region");
+    if (!std::exchange(m_headWritten, true))
+        printLine("     t s  confidence  level  x, y m            region");
     char head[64];
     std::snprintf(head, sizeof head, "%8.2f  %10.2f  ", fix.time, fix.confidence);
     char place[64] = "                  ";
@@ -165,10 +172,12 @@ int Locate::run(std::istream& in) {
     }
     if (in.bad()) return report({ErrorCode::Io, "cannot be read to its end", m_options.log});
     if (m_options.every > 0.0 && m_now) writeDue(*m_now, true);
-    if (m_bad > 0) warn(m_options.log + ": " + std::to_string(m_bad) + " of " + std::to_string(m_bad + m_good) +
-                        " lines were left out");
+    if (m_bad > 0)
+        warn(m_options.log + ": " + std::to_string(m_bad) + " of " + std::to_string(m_bad + m_good) +
+             " lines were left out");
     if (m_good == 0 && m_bad > 0)
-        return report({ErrorCode::Corrupt, "holds no line that can be used; is it a log of detections?", m_options.log});
+        return report({ErrorCode::Corrupt, "holds no line that can be used; is it a log of detections?",
+                       m_options.log});
     return kDone;
 }
 
@@ -201,8 +210,10 @@ void addLocateCommand(CLI::App& app, int& exitCode) {
     command->add_option("MAP", options->map, "Building file or connection string")->required();
     command->add_option("DETECTIONS", options->log, "JSON lines; - reads standard input")->required();
     command->add_option("--localiser", options->localiser, "voting or voting-literal")->capture_default_str();
-    command->add_option("--to", options->to, "Destination, for localisers that use the route: region id, name, ref or x,y,level");
-    command->add_option("--every", options->every, "A fix every so many seconds of the log instead of one per detection");
+    command->add_option("--to", options->to,
+                        "Destination, for localisers that use the route: region id, name, ref or x,y,level");
+    command->add_option("--every", options->every,
+                        "A fix every so many seconds of the log instead of one per detection");
     command->add_flag("--json-lines", options->jsonLines, "One JSON object a line instead of a table");
     command->callback([options, &exitCode] { exitCode = locate(*options); });
 }

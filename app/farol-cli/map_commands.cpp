@@ -1,7 +1,6 @@
 #include "app/farol-cli/commands.h"
 #include "app/farol-cli/findings_output.h"
 #include "app/farol-cli/output.h"
-
 #include "core/base/text.h"
 #include "core/building/checks.h"
 #include "core/building/geopackage.h"
@@ -35,8 +34,10 @@ int checkMap(const std::string& map, bool json) {
         report(error);
         findings = {{Severity::Error, "file-readable", error.text(), "", {}}};
     }
-    if (json) printLine(session::dumped(findingsDocument(findings)));
-    else printFindings(findings, stdout);
+    if (json)
+        printLine(session::dumped(findingsDocument(findings)));
+    else
+        printFindings(findings, stdout);
     bool failed = std::any_of(findings.begin(), findings.end(),
                               [](const Finding& finding) { return finding.severity == Severity::Error; });
     return failed ? kFailed : kDone;
@@ -69,7 +70,8 @@ Json infoJson(const BuildingInfo& info) {
     json["kinds"] = Json::object();
     for (const auto& [kind, count] : info.landmarkKinds) json["kinds"][kind] = count;
     json["crs"] = info.crs;
-    json["extent_m"] = Json::array({session::printedNumber(info.widthM), session::printedNumber(info.heightM)});
+    json["extent_m"] =
+        Json::array({session::printedNumber(info.widthM), session::printedNumber(info.heightM)});
     json["unnamed_regions"] = info.unnamedRegions;
     return json;
 }
@@ -83,18 +85,21 @@ std::string metres(double value) {
 }
 
 void printInfo(const BuildingInfo& info) {
-    printLine(counted(info.regions, "region") + " (" + std::to_string(info.unnamedRegions) + " without a name), " +
-              std::to_string(info.accesses) + " accesses (" + std::to_string(info.accessesJoined) +
-              " join two regions), " + counted(info.landmarks, "landmark"));
+    printLine(counted(info.regions, "region") + " (" + std::to_string(info.unnamedRegions) +
+              " without a name), " + std::to_string(info.accesses) + " accesses (" +
+              std::to_string(info.accessesJoined) + " join two regions), " +
+              counted(info.landmarks, "landmark"));
     for (const building::LevelInfo& level : info.levels)
-        printLine("  level " + formatNumber(level.level) +
-                  (level.ref.empty() || level.ref == formatNumber(level.level) ? "" : " (" + level.ref + ")") + ": " +
-                  counted(level.regions, "region") + ", " + std::to_string(level.accesses) + " accesses, " +
-                  counted(level.landmarks, "landmark"));
+        printLine(
+            "  level " + formatNumber(level.level) +
+            (level.ref.empty() || level.ref == formatNumber(level.level) ? "" : " (" + level.ref + ")") +
+            ": " + counted(level.regions, "region") + ", " + std::to_string(level.accesses) + " accesses, " +
+            counted(level.landmarks, "landmark"));
     printLine(info.components == 1 ? "all regions are connected"
                                    : counted(info.components, "connected part") + ", the largest of " +
                                          counted(info.largestComponent, "region"));
-    for (const auto& [kind, count] : info.landmarkKinds) printLine("  " + kind + ": " + std::to_string(count));
+    for (const auto& [kind, count] : info.landmarkKinds)
+        printLine("  " + kind + ": " + std::to_string(count));
     printLine(metres(info.widthM) + " m x " + metres(info.heightM) + " m, CRS " +
               (info.crs.empty() ? "local metres" : info.crs));
 }
@@ -104,8 +109,10 @@ int mapInfo(const std::string& map, bool json) {
     if (!loaded) return report(loaded.error());
     warnAll(loaded->warnings);
     BuildingInfo info = building::describe(*loaded->building);
-    if (json) printLine(session::dumped(infoJson(info)));
-    else printInfo(info);
+    if (json)
+        printLine(session::dumped(infoJson(info)));
+    else
+        printInfo(info);
     return kDone;
 }
 
@@ -115,7 +122,8 @@ struct MapArguments {
 };
 
 void addMapArguments(CLI::App& command, const std::shared_ptr<MapArguments>& arguments) {
-    command.add_option("MAP", arguments->map, "Building file (.gpkg) or OGR connection string (PG:...)")->required();
+    command.add_option("MAP", arguments->map, "Building file (.gpkg) or OGR connection string (PG:...)")
+        ->required();
     command.add_flag("--json", arguments->json, "One JSON document on standard output");
 }
 
@@ -125,11 +133,13 @@ void addMapCommands(CLI::App& app, int& exitCode) {
     CLI::App* map = app.add_subcommand("map", "Imports, checks and describes building files");
     map->require_subcommand(1);
 
-    CLI::App* check = map->add_subcommand("check", "Says what is wrong with a map; exit code 1 when there are errors");
+    CLI::App* check =
+        map->add_subcommand("check", "Says what is wrong with a map; exit code 1 when there are errors");
     auto checkArguments = std::make_shared<MapArguments>();
     addMapArguments(*check, checkArguments);
     check->footer("Example:\n  farol-cli map check building.gpkg");
-    check->callback([checkArguments, &exitCode] { exitCode = checkMap(checkArguments->map, checkArguments->json); });
+    check->callback(
+        [checkArguments, &exitCode] { exitCode = checkMap(checkArguments->map, checkArguments->json); });
 
     addMapImport(*map, exitCode);
     addMapAmbiguity(*map, exitCode);
@@ -137,7 +147,8 @@ void addMapCommands(CLI::App& app, int& exitCode) {
     auto infoArguments = std::make_shared<MapArguments>();
     addMapArguments(*info, infoArguments);
     info->footer("Example:\n  farol-cli map info building.gpkg --json");
-    info->callback([infoArguments, &exitCode] { exitCode = mapInfo(infoArguments->map, infoArguments->json); });
+    info->callback(
+        [infoArguments, &exitCode] { exitCode = mapInfo(infoArguments->map, infoArguments->json); });
     map->footer("Example:\n  farol-cli map info building.gpkg");
 }
 

@@ -9,7 +9,9 @@ int report(const Error& error) {
     return error.code == ErrorCode::InvalidArgument ? kUsage : kFailed;
 }
 
-void warn(const std::string& text) { std::fprintf(stderr, "farol-cli: warning: %s\n", text.c_str()); }
+void warn(const std::string& text) {
+    std::fprintf(stderr, "farol-cli: warning: %s\n", text.c_str());
+}
 
 void warnAll(const std::vector<std::string>& texts) {
     for (const std::string& text : texts) warn(text);

@@ -12,7 +12,8 @@ inline constexpr int kDone = 0;
 inline constexpr int kFailed = 1;
 inline constexpr int kUsage = 2;
 
-/// "farol-cli: <context>: <message>" on stderr; answers the exit code that fits (2 for InvalidArgument, else 1).
+/// "farol-cli: <context>: <message>" on stderr; answers the exit code that fits (2 for InvalidArgument, else
+/// 1).
 int report(const Error& error);
 /// "farol-cli: warning: <text>" on stderr.
 void warn(const std::string& text);

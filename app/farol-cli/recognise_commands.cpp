@@ -1,6 +1,5 @@
 #include "app/farol-cli/commands.h"
 #include "app/farol-cli/output.h"
-
 #include "core/capture/frame_source.h"
 #include "core/capture/picture.h"
 #include "core/recognition/door_detector.h"
@@ -32,7 +31,9 @@ double cpuMilliseconds() {
     return static_cast<double>(now.tv_sec) * 1e3 + static_cast<double>(now.tv_nsec) * 1e-6;
 }
 
-double rounded(double value, double steps) { return std::round(value * steps) / steps; }
+double rounded(double value, double steps) {
+    return std::round(value * steps) / steps;
+}
 
 Json quadJson(const Quad& quad) {
     Json json = Json::array();
@@ -50,7 +51,8 @@ struct Picture {
 using Look = std::function<DetectorResult(const cv::Mat&)>;
 using DetectionJson = std::function<Json(const Detection&)>;
 
-Json pictureJson(const Picture& picture, double milliseconds, const DetectorResult& found, const DetectionJson& one) {
+Json pictureJson(const Picture& picture, double milliseconds, const DetectorResult& found,
+                 const DetectionJson& one) {
     Json json;
     json["file"] = picture.file;
     if (picture.ofVideo) {
@@ -65,7 +67,8 @@ Json pictureJson(const Picture& picture, double milliseconds, const DetectorResu
 }
 
 void printForPeople(const Picture& picture, const DetectorResult& found) {
-    std::string name = picture.file + (picture.ofVideo ? " frame " + std::to_string(picture.frame.index) : "");
+    std::string name =
+        picture.file + (picture.ofVideo ? " frame " + std::to_string(picture.frame.index) : "");
     if (found.detections.empty()) printLine(name + ": nothing");
     for (const Detection& d : found.detections) {
         std::string what(kindName(d.kind));
@@ -78,9 +81,10 @@ void printForPeople(const Picture& picture, const DetectorResult& found) {
     }
 }
 
-/// Looks at every picture of the arguments in turn. What cannot be read is told and skipped; only when nothing at all
-/// could be read is that a failure.
-int lookAtAll(const std::vector<std::string>& sources, bool jsonLines, const Look& look, const DetectionJson& one) {
+/// Looks at every picture of the arguments in turn. What cannot be read is told and skipped; only when
+/// nothing at all could be read is that a failure.
+int lookAtAll(const std::vector<std::string>& sources, bool jsonLines, const Look& look,
+              const DetectionJson& one) {
     std::uint64_t seen = 0;
     for (const std::string& name : sources) {
         auto source = capture::openSource(name);
@@ -99,8 +103,10 @@ int lookAtAll(const std::vector<std::string>& sources, bool jsonLines, const Loo
             double spent = cpuMilliseconds() - start;
             ++seen;
             if (jsonLines)
-                printLine(pictureJson(picture, spent, found, one).dump(-1, ' ', false, Json::error_handler_t::replace));
-            else printForPeople(picture, found);
+                printLine(pictureJson(picture, spent, found, one)
+                              .dump(-1, ' ', false, Json::error_handler_t::replace));
+            else
+                printForPeople(picture, found);
         }
     }
     if (seen > 0) return kDone;
@@ -130,7 +136,8 @@ int detect(const std::vector<std::string>& only, const std::vector<std::string>&
     auto wanted = [&](const char* name) { return std::find(only.begin(), only.end(), name) != only.end(); };
     for (const std::string& name : only)
         if (name != "doors" && name != "rectangles" && name != "text")
-            return report({ErrorCode::InvalidArgument, "there is no detector \"" + name + "\"; there are doors, rectangles and text",
+            return report({ErrorCode::InvalidArgument,
+                           "there is no detector \"" + name + "\"; there are doors, rectangles and text",
                            "--only"});
     std::unique_ptr<TextReader> reader;
     if (wanted("text")) {
@@ -169,17 +176,22 @@ void addRecogniseCommands(CLI::App& app, int& exitCode) {
     CLI::App* recognising = app.add_subcommand("recognise", "Find a library's templates in pictures");
     recognising->footer("Example:\n  farol-cli recognise corridor.gpkg walk/ --json-lines");
     recognising->add_option("library", arguments->library, "Library or map (*.gpkg)")->required();
-    recognising->add_option("pictures", arguments->sources, "Pictures, folders of pictures, videos")->required();
+    recognising->add_option("pictures", arguments->sources, "Pictures, folders of pictures, videos")
+        ->required();
     recognising->add_flag("--json-lines", arguments->jsonLines, "One JSON object a picture");
-    recognising->callback(
-        [arguments, &exitCode] { exitCode = recognise(arguments->library, arguments->sources, arguments->jsonLines); });
+    recognising->callback([arguments, &exitCode] {
+        exitCode = recognise(arguments->library, arguments->sources, arguments->jsonLines);
+    });
     CLI::App* detecting = app.add_subcommand("detect", "Find doors, rectangles and text in pictures");
     detecting->footer("Example:\n  farol-cli detect --only doors,text corridor.jpg --json-lines");
-    detecting->add_option("--only", arguments->only, "Detectors to run: doors, rectangles, text")->delimiter(',');
-    detecting->add_option("pictures", arguments->sources, "Pictures, folders of pictures, videos")->required();
+    detecting->add_option("--only", arguments->only, "Detectors to run: doors, rectangles, text")
+        ->delimiter(',');
+    detecting->add_option("pictures", arguments->sources, "Pictures, folders of pictures, videos")
+        ->required();
     detecting->add_flag("--json-lines", arguments->jsonLines, "One JSON object a picture");
-    detecting->callback(
-        [arguments, &exitCode] { exitCode = detect(arguments->only, arguments->sources, arguments->jsonLines); });
+    detecting->callback([arguments, &exitCode] {
+        exitCode = detect(arguments->only, arguments->sources, arguments->jsonLines);
+    });
 }
 
 } // namespace farol::cli

@@ -1,6 +1,5 @@
 #include "app/farol-cli/commands.h"
 #include "app/farol-cli/output.h"
-
 #include "core/base/text.h"
 #include "core/building/geopackage.h"
 #include "core/routing/route.h"
@@ -74,7 +73,8 @@ std::string lineOf(const building::Building& building, const Manoeuvre& manoeuvr
     if (manoeuvre.kind == ManoeuvreKind::Start || manoeuvre.kind == ManoeuvreKind::Arrive ||
         manoeuvre.kind == ManoeuvreKind::Turn)
         line += " in " + nameOf(building, manoeuvre.into);
-    else line += " to " + nameOf(building, manoeuvre.into);
+    else
+        line += " to " + nameOf(building, manoeuvre.into);
     if (manoeuvre.vertical != routing::Vertical::None)
         line += std::string(manoeuvre.vertical == routing::Vertical::Up ? ", up" : ", down") + " to level " +
                 formatNumber(manoeuvre.targetLevel);
@@ -83,22 +83,27 @@ std::string lineOf(const building::Building& building, const Manoeuvre& manoeuvr
 }
 
 void printRoute(const building::Building& building, const Route& route) {
-    printLine(nameOf(building, route.regions.front()) + " to " + nameOf(building, route.regions.back()) + ": " +
-              metres(route.lengthM) + ", about " + std::to_string(std::lround(route.seconds)) + " s (" + route.planner +
-              ")");
+    printLine(nameOf(building, route.regions.front()) + " to " + nameOf(building, route.regions.back()) +
+              ": " + metres(route.lengthM) + ", about " + std::to_string(std::lround(route.seconds)) +
+              " s (" + route.planner + ")");
     for (const Manoeuvre& manoeuvre : route.manoeuvres) printLine(lineOf(building, manoeuvre));
 }
 
 Result<routing::RouteOptions> optionsOf(const std::vector<std::string>& avoid) {
     routing::RouteOptions options;
     for (const std::string& what : avoid) {
-        if (what == "stairs") options.avoidStairs = true;
-        else if (what == "elevator") options.avoidElevator = true;
-        else if (what == "escalator") options.avoidEscalator = true;
-        else if (what == "restricted") options.avoidRestricted = true;
+        if (what == "stairs")
+            options.avoidStairs = true;
+        else if (what == "elevator")
+            options.avoidElevator = true;
+        else if (what == "escalator")
+            options.avoidEscalator = true;
+        else if (what == "restricted")
+            options.avoidRestricted = true;
         else
             return Error{ErrorCode::InvalidArgument,
-                         "\"" + what + "\" cannot be avoided; stairs, elevator, escalator and restricted can", "--avoid"};
+                         "\"" + what + "\" cannot be avoided; stairs, elevator, escalator and restricted can",
+                         "--avoid"};
     }
     return options;
 }
@@ -121,8 +126,10 @@ int route(const RouteArguments& arguments) {
             printLine(session::dumped(notFoundJson(planned.error().message)));
         return report(planned.error());
     }
-    if (arguments.json) printLine(session::dumped(foundJson(*planned)));
-    else printRoute(*loaded->building, *planned);
+    if (arguments.json)
+        printLine(session::dumped(foundJson(*planned)));
+    else
+        printRoute(*loaded->building, *planned);
     return kDone;
 }
 
@@ -131,17 +138,24 @@ int route(const RouteArguments& arguments) {
 void addRouteCommand(CLI::App& app, int& exitCode) {
     CLI::App* command = app.add_subcommand("route", "Plans a way through a building");
     auto arguments = std::make_shared<RouteArguments>();
-    command->add_option("MAP", arguments->map, "Building file (.gpkg) or OGR connection string (PG:...)")->required();
+    command->add_option("MAP", arguments->map, "Building file (.gpkg) or OGR connection string (PG:...)")
+        ->required();
     const std::string where = " WHERE: a region's id, its unique name or ref, or x,y,level";
-    command->add_option("--from", arguments->from, "Where the way starts." + where)->required()->type_name("WHERE");
+    command->add_option("--from", arguments->from, "Where the way starts." + where)
+        ->required()
+        ->type_name("WHERE");
     command->add_option("--to", arguments->to, "Where it leads." + where)->required()->type_name("WHERE");
-    command->add_option("--planner", arguments->planner, "optimal: least time; greedy: as in the paper, section 4.1")
+    command
+        ->add_option("--planner", arguments->planner,
+                     "optimal: least time; greedy: as in the paper, section 4.1")
         ->check(CLI::IsMember({"optimal", "greedy"}))
         ->capture_default_str();
-    command->add_option("--avoid", arguments->avoid, "What not to use: stairs, elevator, escalator, restricted")
+    command
+        ->add_option("--avoid", arguments->avoid, "What not to use: stairs, elevator, escalator, restricted")
         ->delimiter(',');
     command->add_flag("--json", arguments->json, "One JSON document on standard output");
-    command->footer("Example:\n  farol-cli route building.gpkg --from \"Main entrance\" --to 2.14 --avoid stairs");
+    command->footer(
+        "Example:\n  farol-cli route building.gpkg --from \"Main entrance\" --to 2.14 --avoid stairs");
     command->callback([arguments, &exitCode] { exitCode = route(*arguments); });
 }
 

@@ -1,5 +1,4 @@
 #include "app/farol-cli/commands.h"
-
 #include "app/farol-cli/interrupt.h"
 #include "app/farol-cli/output.h"
 #include "app/farol-cli/walk_inputs.h"
@@ -19,7 +18,8 @@ namespace farol::cli {
 namespace {
 
 struct RunOptions {
-    std::string map, library, source, from, to, localiser = "voting", verbosity = "objects", record, language = "en";
+    std::string map, library, source, from, to, localiser = "voting", verbosity = "objects", record,
+                                                language = "en";
     double framesPerSecond = 0.0;
     bool realTime = false, speak = false, jsonLines = false;
 };
@@ -31,7 +31,8 @@ struct ReplayOptions {
 
 constexpr char kRunExamples[] =
     "Examples:\n"
-    "  farol-cli run --map office.gpkg --library office-library.gpkg --source pictures/ --fps 1 --to \"Room 2.14\"\n"
+    "  farol-cli run --map office.gpkg --library office-library.gpkg --source pictures/ --fps 1 --to \"Room "
+    "2.14\"\n"
     "  farol-cli run --map office.gpkg --source camera:0 --to cafe --speak --lang pt --record monday/\n"
     "  farol-cli run --map office.gpkg --source walk.mp4 --json-lines > walk.jsonl\n"
     "SOURCE: camera:0, a video file, a folder of pictures in natural order, an http or rtsp address.\n"
@@ -56,9 +57,10 @@ private:
 };
 
 const std::map<std::string, guidance::Verbosity>& verbosities() {
-    static const std::map<std::string, guidance::Verbosity> kNames{{"directions", guidance::Verbosity::Directions},
-                                                                   {"objects", guidance::Verbosity::Objects},
-                                                                   {"texts", guidance::Verbosity::ObjectsAndTexts}};
+    static const std::map<std::string, guidance::Verbosity> kNames{
+        {"directions", guidance::Verbosity::Directions},
+        {"objects", guidance::Verbosity::Objects},
+        {"texts", guidance::Verbosity::ObjectsAndTexts}};
     return kNames;
 }
 
@@ -66,7 +68,8 @@ session::SessionOptions sessionOptions(const RunOptions& options) {
     session::SessionOptions session;
     session.navigator.localiser = options.localiser;
     session.navigator.guidance.verbosity = verbosities().at(options.verbosity);
-    session.pace = options.realTime || options.speak ? session::Pace::RealTime : session::Pace::AsFastAsPossible;
+    session.pace =
+        options.realTime || options.speak ? session::Pace::RealTime : session::Pace::AsFastAsPossible;
     if (!options.record.empty()) session.recordFolder = options.record;
     session.mapName = options.map;
     session.libraryName = options.library;
@@ -106,8 +109,10 @@ int walk(session::NavigationSession& session, WalkSpeech* speech) {
     }
     session.stop();
     auto last = session.snapshot();
-    if (last && last->framesDropped > 0) warn(std::to_string(last->framesDropped) + " frames came too fast and were dropped");
-    if (last && last->framesSkipped > 0) warn(std::to_string(last->framesSkipped) + " frames could not be read");
+    if (last && last->framesDropped > 0)
+        warn(std::to_string(last->framesDropped) + " frames came too fast and were dropped");
+    if (last && last->framesSkipped > 0)
+        warn(std::to_string(last->framesSkipped) + " frames could not be read");
     return session.state() == session::RunState::Failed ? kFailed : kDone;
 }
 
@@ -129,7 +134,8 @@ int run(const RunOptions& options) {
     WalkPrinter printer(options.jsonLines, building);
     std::optional<WalkSpeech> speech;
     if (options.speak) speech.emplace(options.language);
-    auto session = session::NavigationSession::create(building, library, std::move(source).value(), sessionOptions(options),
+    auto session = session::NavigationSession::create(building, library, std::move(source).value(),
+                                                      sessionOptions(options),
                                                       handlersFor(printer, speech ? &*speech : nullptr));
     if (!session) return report(session.error());
     if (start) (*session)->setStart(start->region);
@@ -151,7 +157,9 @@ int replayRecording(const ReplayOptions& options) {
     session::ReplayHandlers handlers;
     handlers.step = [&](const session::NavigationStep& step) { printer.step(step); };
     handlers.warning = [&](const guidance::Cue& cue) { printer.warning(cue); };
-    handlers.message = [&](double time, std::uint64_t frame, const std::string& text) { printer.message(time, frame, text); };
+    handlers.message = [&](double time, std::uint64_t frame, const std::string& text) {
+        printer.message(time, frame, text);
+    };
     if (auto replayed = session::replay(*recording, building, navigator, handlers); !replayed)
         return report(replayed.error());
     return kDone;
@@ -162,17 +170,21 @@ void addRun(CLI::App& app, int& exitCode) {
     CLI::App* command = app.add_subcommand("run", "Walks: frames in, the way out as words or as JSON lines");
     command->footer(kRunExamples);
     command->add_option("--map", options->map, "Building file or connection string")->required();
-    command->add_option("--library", options->library, "Trained landmarks; without it the map's own file is looked into");
+    command->add_option("--library", options->library,
+                        "Trained landmarks; without it the map's own file is looked into");
     command->add_option("--source", options->source, "Where the pictures come from")->required();
     command->add_option("--fps", options->framesPerSecond, "Pictures a second of a folder (default 1)")
         ->check(CLI::Range(0.01, 1000.0));
     command->add_option("--from", options->from, "Where the walk starts, if that is known (WHERE)");
     command->add_option("--to", options->to, "Destination (WHERE)");
     command->add_option("--localiser", options->localiser, "voting or voting-literal")->capture_default_str();
-    command->add_option("--verbosity", options->verbosity, "What is told: directions, objects (too), texts (too)")
+    command
+        ->add_option("--verbosity", options->verbosity,
+                     "What is told: directions, objects (too), texts (too)")
         ->capture_default_str()
         ->check(CLI::IsMember({"directions", "objects", "texts"}));
-    command->add_flag("--realtime", options->realTime, "At the pictures' own pace; what comes too late is dropped");
+    command->add_flag("--realtime", options->realTime,
+                      "At the pictures' own pace; what comes too late is dropped");
     command->add_flag("--speak", options->speak, "Speak the utterances (implies --realtime)");
     command->add_option("--record", options->record, "New folder for a recording of the walk");
     command->add_flag("--json-lines", options->jsonLines, "One JSON object a line instead of a transcript");
@@ -185,7 +197,8 @@ void addReplay(CLI::App& app, int& exitCode) {
     CLI::App* command = app.add_subcommand("replay", "The same lines again from a recording");
     command->footer(kReplayExamples);
     command->add_option("DIR", options->folder, "The recording")->required();
-    command->add_option("--localiser", options->localiser, "Vote again with this one instead of the recorded one");
+    command->add_option("--localiser", options->localiser,
+                        "Vote again with this one instead of the recorded one");
     command->add_flag("--json-lines", options->jsonLines, "One JSON object a line instead of a transcript");
     command->add_option("--lang", options->language, "Language of the words: en, pt")->capture_default_str();
     command->callback([options, &exitCode] { exitCode = replayRecording(*options); });

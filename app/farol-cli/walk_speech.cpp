@@ -21,7 +21,8 @@ std::unique_ptr<ui::SpeechOutput> makeVoice(const std::string& language) {
 
 } // namespace
 
-WalkSpeech::WalkSpeech(const std::string& language) : m_output(makeVoice(language)), m_queue(*m_output, m_phrasebook) {
+WalkSpeech::WalkSpeech(const std::string& language)
+    : m_output(makeVoice(language)), m_queue(*m_output, m_phrasebook) {
     QObject::connect(&m_queue, &ui::SpeechQueue::changed, &m_queue, [this](const ui::Utterance& utterance) {
         m_speaking = utterance.state == ui::UtteranceState::Speaking;
         leaveWhenSilent();
@@ -37,7 +38,8 @@ WalkSpeech::~WalkSpeech() = default;
 void WalkSpeech::step(const session::NavigationStep& step) {
     QMetaObject::invokeMethod(
         &m_queue,
-        [this, cues = step.cues, time = step.fix.time, region = step.fix.region, route = step.progress.routeVersion] {
+        [this, cues = step.cues, time = step.fix.time, region = step.fix.region,
+         route = step.progress.routeVersion] {
             m_queue.setNow(time, region, route);
             for (const guidance::Cue& cue : cues) m_queue.add(cue);
         },
@@ -45,7 +47,8 @@ void WalkSpeech::step(const session::NavigationStep& step) {
 }
 
 void WalkSpeech::warning(const guidance::Cue& cue) {
-    QMetaObject::invokeMethod(&m_queue, [this, cue] { m_queue.add(cue); }, Qt::QueuedConnection);
+    QMetaObject::invokeMethod(
+        &m_queue, [this, cue] { m_queue.add(cue); }, Qt::QueuedConnection);
 }
 
 void WalkSpeech::finish() {
@@ -60,16 +63,20 @@ void WalkSpeech::finish() {
 }
 
 void WalkSpeech::abort() {
-    QMetaObject::invokeMethod(&m_queue, [] { QCoreApplication::quit(); }, Qt::QueuedConnection);
+    QMetaObject::invokeMethod(
+        &m_queue, [] { QCoreApplication::quit(); }, Qt::QueuedConnection);
 }
 
 void WalkSpeech::leaveWhenSilent() {
-    // Asked again from the event loop: the queue starts the next utterance after it told the end of the last one.
+    // Asked again from the event loop: the queue starts the next utterance after it told the end of the last
+    // one.
     QTimer::singleShot(0, &m_queue, [this] {
         if (m_finishing && !m_speaking && m_queue.waiting().empty()) QCoreApplication::quit();
     });
 }
 
-void WalkSpeech::run() { QCoreApplication::exec(); }
+void WalkSpeech::run() {
+    QCoreApplication::exec();
+}
 
 } // namespace farol::cli

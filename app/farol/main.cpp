@@ -16,7 +16,8 @@ int main(int argc, char** argv) {
     QApplication::setApplicationVersion(QStringLiteral(FAROL_VERSION));
     QApplication::setDesktopFileName(QStringLiteral("farol"));
     QApplication::setWindowIcon(QIcon(QStringLiteral(":/farol/icons/farol.svg")));
-    QApplication::setStyle(QStringLiteral("Fusion")); // the same look, and a palette that dark desktops can set
+    QApplication::setStyle(
+        QStringLiteral("Fusion")); // the same look, and a palette that dark desktops can set
     const farol::Options options = farol::optionsFrom(QApplication::arguments());
 
     // A picture or a self-test neither follows nor changes what the user has set.

@@ -10,7 +10,9 @@ namespace farol {
 
 namespace {
 
-QString words(const char* text) { return QCoreApplication::translate("farol::Options", text); }
+QString words(const char* text) {
+    return QCoreApplication::translate("farol::Options", text);
+}
 
 [[noreturn]] void wrongUsage(const QString& message) {
     std::fprintf(stderr, "farol: %s\n", qPrintable(message));
@@ -21,7 +23,8 @@ double positive(const QString& text, const QString& option) {
     bool fine = false;
     const double value = text.toDouble(&fine);
     if (!fine || !(value > 0.0) || value > 1000.0)
-        wrongUsage(words(QT_TRANSLATE_NOOP("farol::Options", "%1 needs a number above 0, not “%2”")).arg(option, text));
+        wrongUsage(words(QT_TRANSLATE_NOOP("farol::Options", "%1 needs a number above 0, not “%2”"))
+                       .arg(option, text));
     return value;
 }
 
@@ -42,7 +45,8 @@ Options optionsFrom(const QStringList& arguments) {
         "Farol: guidance through a building with one camera.\n"
         "Example: farol --map campus.gpkg --library campus.gpkg --source camera:0 --to 2.14 --start"));
     const auto value = [&](const char* name, const char* what, const char* help) {
-        const QCommandLineOption option(QString::fromLatin1(name), QString::fromLatin1(help), QString::fromLatin1(what));
+        const QCommandLineOption option(QString::fromLatin1(name), QString::fromLatin1(help),
+                                        QString::fromLatin1(what));
         parser.addOption(option);
         return option;
     };
@@ -53,7 +57,8 @@ Options optionsFrom(const QStringList& arguments) {
     };
     const auto map = value("map", "file", "Map of the building (GeoPackage)");
     const auto library = value("library", "file", "Landmark library");
-    const auto source = value("source", "source", "camera:0, a video file, a folder of pictures, an http or rtsp address");
+    const auto source =
+        value("source", "source", "camera:0, a video file, a folder of pictures, an http or rtsp address");
     const auto fps = value("fps", "number", "Pictures a second of a folder");
     const auto from = value("from", "where", "Where the walk starts");
     const auto to = value("to", "where", "Where to go");
@@ -75,12 +80,14 @@ Options optionsFrom(const QStringList& arguments) {
                        .arg(parser.positionalArguments().first()));
 
     Options options;
-    options.begin = {parser.value(map), parser.value(library), parser.value(source), 0.0, parser.value(from),
-                     parser.value(to),  parser.value(banner),  parser.isSet(start)};
-    if (parser.isSet(fps)) options.begin.framesPerSecond = positive(parser.value(fps), QStringLiteral("--fps"));
+    options.begin = {parser.value(map),  parser.value(library), parser.value(source), 0.0,
+                     parser.value(from), parser.value(to),      parser.value(banner), parser.isSet(start)};
+    if (parser.isSet(fps))
+        options.begin.framesPerSecond = positive(parser.value(fps), QStringLiteral("--fps"));
     options.language = parser.value(lang);
     options.screenshot = parser.value(screenshot);
-    if (parser.isSet(after)) options.after = static_cast<int>(positive(parser.value(after), QStringLiteral("--after")));
+    if (parser.isSet(after))
+        options.after = static_cast<int>(positive(parser.value(after), QStringLiteral("--after")));
     if (parser.isSet(size)) options.size = sizeFrom(parser.value(size));
     options.selfTest = parser.isSet(selfTest);
     return options;

@@ -35,7 +35,8 @@ void Screenshot::take(int exitCode) {
     QTimer::singleShot(kSettleMs, this, [this, exitCode] {
         const bool saved = m_window.grab().save(m_file);
         if (!saved) std::fprintf(stderr, "farol: %s cannot be written\n", qPrintable(m_file));
-        if (exitCode != 0) std::fprintf(stderr, "farol: the walk did not come so far; see %s\n", qPrintable(m_file));
+        if (exitCode != 0)
+            std::fprintf(stderr, "farol: the walk did not come so far; see %s\n", qPrintable(m_file));
         QApplication::exit(saved ? exitCode : 1);
     });
 }

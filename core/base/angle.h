@@ -1,6 +1,6 @@
 #pragma once
-// Angles inside core: radians, counter-clockwise from east (map) or from the optical axis to the left (bearing).
-// Degrees and clock hours exist only at the edge (files, JSON, words).
+// Angles inside core: radians, counter-clockwise from east (map) or from the optical axis to the left
+// (bearing). Degrees and clock hours exist only at the edge (files, JSON, words).
 
 namespace farol {
 
@@ -17,8 +17,12 @@ struct Radians {
     friend constexpr bool operator==(Radians, Radians) = default;
 };
 
-constexpr Radians fromDegrees(double degrees) { return {degrees * kPi / 180.0}; }
-constexpr double toDegrees(Radians angle) { return angle.value * 180.0 / kPi; }
+constexpr Radians fromDegrees(double degrees) {
+    return {degrees * kPi / 180.0};
+}
+constexpr double toDegrees(Radians angle) {
+    return angle.value * 180.0 / kPi;
+}
 
 /// The same direction in (-pi, pi]. A value that is not finite comes back as it is.
 Radians wrapped(Radians angle);

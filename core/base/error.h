@@ -1,6 +1,6 @@
 #pragma once
-// Errors outside our control (files, devices, input) travel as values. Exceptions of OpenCV, GDAL and SQLite are
-// caught at the adapter and become one of these; our own mistakes are assertions.
+// Errors outside our control (files, devices, input) travel as values. Exceptions of OpenCV, GDAL and SQLite
+// are caught at the adapter and become one of these; our own mistakes are assertions.
 
 #include <cassert>
 #include <optional>
@@ -25,8 +25,8 @@ enum class ErrorCode {
 /// The stable, lower-case name of a code, as it stands in JSON.
 const char* errorCodeName(ErrorCode code);
 
-/// What is wrong, where, and what to do: `message` is one English sentence for people, `context` names the file,
-/// layer, feature or option ("corridor.gpkg, layer regions, feature 12").
+/// What is wrong, where, and what to do: `message` is one English sentence for people, `context` names the
+/// file, layer, feature or option ("corridor.gpkg, layer regions, feature 12").
 struct Error {
     ErrorCode code = ErrorCode::Internal;
     std::string message;
@@ -40,20 +40,32 @@ struct Error {
 template <class T>
 class [[nodiscard]] Result {
 public:
-    Result(T value) : m_state(std::in_place_index<0>, std::move(value)) {} // NOLINT: converts on purpose
+    Result(T value) : m_state(std::in_place_index<0>, std::move(value)) {}     // NOLINT: converts on purpose
     Result(Error error) : m_state(std::in_place_index<1>, std::move(error)) {} // NOLINT: converts on purpose
 
     bool ok() const { return m_state.index() == 0; }
     explicit operator bool() const { return ok(); }
-    T& value() & { assert(ok()); return std::get<0>(m_state); }
-    const T& value() const& { assert(ok()); return std::get<0>(m_state); }
-    T&& value() && { assert(ok()); return std::get<0>(std::move(m_state)); }
+    T& value() & {
+        assert(ok());
+        return std::get<0>(m_state);
+    }
+    const T& value() const& {
+        assert(ok());
+        return std::get<0>(m_state);
+    }
+    T&& value() && {
+        assert(ok());
+        return std::get<0>(std::move(m_state));
+    }
     T& operator*() & { return value(); }
     const T& operator*() const& { return value(); }
     T&& operator*() && { return std::move(*this).value(); }
     T* operator->() { return &value(); }
     const T* operator->() const { return &value(); }
-    const Error& error() const { assert(!ok()); return std::get<1>(m_state); }
+    const Error& error() const {
+        assert(!ok());
+        return std::get<1>(m_state);
+    }
 
 private:
     std::variant<T, Error> m_state;
@@ -67,7 +79,10 @@ public:
 
     bool ok() const { return !m_error.has_value(); }
     explicit operator bool() const { return ok(); }
-    const Error& error() const { assert(!ok()); return *m_error; }
+    const Error& error() const {
+        assert(!ok());
+        return *m_error;
+    }
 
 private:
     std::optional<Error> m_error;

@@ -53,13 +53,15 @@ Result<void> replaceFile(const fs::path& target, bool seed,
                          const std::function<Result<void>(const fs::path&)>& write) {
     static std::atomic<unsigned> counter{0};
     // The extension stays last: GDAL chooses and checks formats by it.
-    fs::path temporary = target.parent_path() / (target.stem().string() + ".saving-" + std::to_string(::getpid()) + "-" +
-                                                 std::to_string(counter++) + target.extension().string());
+    fs::path temporary =
+        target.parent_path() / (target.stem().string() + ".saving-" + std::to_string(::getpid()) + "-" +
+                                std::to_string(counter++) + target.extension().string());
     auto result = fillTemporary(target, temporary, seed, write);
     if (!result) {
         std::error_code ignored;
         fs::remove(temporary, ignored);
-        for (const char* suffix : {"-wal", "-shm", "-journal"}) fs::remove(temporary.string() + suffix, ignored);
+        for (const char* suffix : {"-wal", "-shm", "-journal"})
+            fs::remove(temporary.string() + suffix, ignored);
     }
     return result;
 }

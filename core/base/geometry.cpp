@@ -6,12 +6,24 @@
 
 namespace farol {
 
-double dot(Point2 a, Point2 b) { return a.x * b.x + a.y * b.y; }
-double cross(Point2 a, Point2 b) { return a.x * b.y - a.y * b.x; }
-double length(Point2 v) { return std::hypot(v.x, v.y); }
-double distance(Point2 a, Point2 b) { return length(b - a); }
-Radians directionOf(Point2 v) { return {v == Point2{} ? 0.0 : std::atan2(v.y, v.x)}; }
-bool isFinite(Point2 p) { return std::isfinite(p.x) && std::isfinite(p.y); }
+double dot(Point2 a, Point2 b) {
+    return a.x * b.x + a.y * b.y;
+}
+double cross(Point2 a, Point2 b) {
+    return a.x * b.y - a.y * b.x;
+}
+double length(Point2 v) {
+    return std::hypot(v.x, v.y);
+}
+double distance(Point2 a, Point2 b) {
+    return length(b - a);
+}
+Radians directionOf(Point2 v) {
+    return {v == Point2{} ? 0.0 : std::atan2(v.y, v.x)};
+}
+bool isFinite(Point2 p) {
+    return std::isfinite(p.x) && std::isfinite(p.y);
+}
 
 double length(const Polyline& line) {
     double sum = 0.0;
@@ -22,7 +34,8 @@ double length(const Polyline& line) {
 double signedArea(const Ring& ring) {
     // Relative to the first vertex: map coordinates in millions would eat the digits otherwise.
     double twice = 0.0;
-    for (std::size_t i = 1; i + 1 < ring.size(); ++i) twice += cross(ring[i] - ring[0], ring[i + 1] - ring[0]);
+    for (std::size_t i = 1; i + 1 < ring.size(); ++i)
+        twice += cross(ring[i] - ring[0], ring[i + 1] - ring[0]);
     return twice / 2.0;
 }
 
@@ -61,7 +74,8 @@ bool onBorder(const Ring& ring, Point2 p) {
 bool insideRing(const Ring& ring, Point2 p) {
     bool inside = false;
     forEachEdge(ring, [&](Point2 a, Point2 b) {
-        if ((a.y > p.y) != (b.y > p.y) && p.x < (b.x - a.x) * (p.y - a.y) / (b.y - a.y) + a.x) inside = !inside;
+        if ((a.y > p.y) != (b.y > p.y) && p.x < (b.x - a.x) * (p.y - a.y) / (b.y - a.y) + a.x)
+            inside = !inside;
     });
     return inside;
 }
@@ -125,7 +139,9 @@ Point2 nearestOnSegment(Point2 p, Point2 a, Point2 b) {
     return a + d * std::clamp(dot(p - a, d) / squared, 0.0, 1.0);
 }
 
-double distanceToSegment(Point2 p, Point2 a, Point2 b) { return distance(p, nearestOnSegment(p, a, b)); }
+double distanceToSegment(Point2 p, Point2 a, Point2 b) {
+    return distance(p, nearestOnSegment(p, a, b));
+}
 
 double distanceToPolygon(const Polygon& polygon, Point2 p) {
     if (contains(polygon, p)) return 0.0;
@@ -152,7 +168,8 @@ bool segmentsCross(Point2 a, Point2 b, Point2 c, Point2 d) {
     double s2 = side(a, b, d);
     double s3 = side(c, d, a);
     double s4 = side(c, d, b);
-    return ((s1 > 0.0 && s2 < 0.0) || (s1 < 0.0 && s2 > 0.0)) && ((s3 > 0.0 && s4 < 0.0) || (s3 < 0.0 && s4 > 0.0));
+    return ((s1 > 0.0 && s2 < 0.0) || (s1 < 0.0 && s2 > 0.0)) &&
+           ((s3 > 0.0 && s4 < 0.0) || (s3 < 0.0 && s4 > 0.0));
 }
 
 ImageBox boundingBox(const Quad& quad) {

@@ -1,6 +1,6 @@
 #pragma once
-// Plane geometry of the map (x east, y north, metres) and of the picture (x right, y down, pixels, pixel centres at
-// +0.5). The two never mix: map functions take Point2, picture functions ImagePoint.
+// Plane geometry of the map (x east, y north, metres) and of the picture (x right, y down, pixels, pixel
+// centres at +0.5). The two never mix: map functions take Point2, picture functions ImagePoint.
 
 #include "core/base/angle.h"
 
@@ -45,10 +45,11 @@ struct Box2 {
 };
 
 double length(const Polyline& line);
-double signedArea(const Ring& ring); ///< positive when counter-clockwise
-double area(const Polygon& polygon); ///< holes taken off
+double signedArea(const Ring& ring);     ///< positive when counter-clockwise
+double area(const Polygon& polygon);     ///< holes taken off
 Point2 centroid(const Polygon& polygon); ///< may lie outside a bent polygon: see pointInside
-/// A point that is surely inside: the centroid when it is, else the middle of the widest horizontal chord near it.
+/// A point that is surely inside: the centroid when it is, else the middle of the widest horizontal chord
+/// near it.
 Point2 pointInside(const Polygon& polygon);
 bool contains(const Polygon& polygon, Point2 p); ///< the border counts as inside
 double distanceToSegment(Point2 p, Point2 a, Point2 b);

@@ -30,5 +30,7 @@ using ShaftId = Id<struct ShaftTag>;
 
 template <class Tag>
 struct std::hash<farol::Id<Tag>> {
-    std::size_t operator()(const farol::Id<Tag>& id) const noexcept { return std::hash<std::string>{}(id.value); }
+    std::size_t operator()(const farol::Id<Tag>& id) const noexcept {
+        return std::hash<std::string>{}(id.value);
+    }
 };

@@ -9,23 +9,39 @@ namespace farol {
 namespace {
 
 constexpr std::array<std::pair<Kind, std::string_view>, 20> kNames{{
-    {Kind::Place, "place"}, {Kind::Door, "door"}, {Kind::Stairs, "stairs"}, {Kind::Elevator, "elevator"},
-    {Kind::Extinguisher, "extinguisher"}, {Kind::ExitSign, "exit_sign"}, {Kind::Sign, "sign"}, {Kind::Text, "text"},
-    {Kind::Rectangle, "rectangle"}, {Kind::Window, "window"}, {Kind::Locker, "locker"}, {Kind::Poster, "poster"},
-    {Kind::Fountain, "fountain"}, {Kind::Hydrant, "hydrant"}, {Kind::VendingMachine, "vending_machine"},
-    {Kind::Bin, "bin"}, {Kind::Plant, "plant"}, {Kind::Furniture, "furniture"}, {Kind::Picture, "picture"},
+    {Kind::Place, "place"},
+    {Kind::Door, "door"},
+    {Kind::Stairs, "stairs"},
+    {Kind::Elevator, "elevator"},
+    {Kind::Extinguisher, "extinguisher"},
+    {Kind::ExitSign, "exit_sign"},
+    {Kind::Sign, "sign"},
+    {Kind::Text, "text"},
+    {Kind::Rectangle, "rectangle"},
+    {Kind::Window, "window"},
+    {Kind::Locker, "locker"},
+    {Kind::Poster, "poster"},
+    {Kind::Fountain, "fountain"},
+    {Kind::Hydrant, "hydrant"},
+    {Kind::VendingMachine, "vending_machine"},
+    {Kind::Bin, "bin"},
+    {Kind::Plant, "plant"},
+    {Kind::Furniture, "furniture"},
+    {Kind::Picture, "picture"},
     {Kind::Other, "other"},
 }};
 
 } // namespace
 
 std::string_view kindName(Kind kind) {
-    auto it = std::find_if(kNames.begin(), kNames.end(), [&](const auto& entry) { return entry.first == kind; });
+    auto it =
+        std::find_if(kNames.begin(), kNames.end(), [&](const auto& entry) { return entry.first == kind; });
     return it == kNames.end() ? std::string_view("other") : it->second;
 }
 
 std::optional<Kind> kindFromName(std::string_view name) {
-    auto it = std::find_if(kNames.begin(), kNames.end(), [&](const auto& entry) { return entry.second == name; });
+    auto it =
+        std::find_if(kNames.begin(), kNames.end(), [&](const auto& entry) { return entry.second == name; });
     if (it == kNames.end()) return std::nullopt;
     return it->first;
 }

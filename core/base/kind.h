@@ -8,8 +8,26 @@
 namespace farol {
 
 enum class Kind {
-    Place, Door, Stairs, Elevator, Extinguisher, ExitSign, Sign, Text, Rectangle, Window, Locker, Poster, Fountain,
-    Hydrant, VendingMachine, Bin, Plant, Furniture, Picture, Other,
+    Place,
+    Door,
+    Stairs,
+    Elevator,
+    Extinguisher,
+    ExitSign,
+    Sign,
+    Text,
+    Rectangle,
+    Window,
+    Locker,
+    Poster,
+    Fountain,
+    Hydrant,
+    VendingMachine,
+    Bin,
+    Plant,
+    Furniture,
+    Picture,
+    Other,
 };
 
 /// The name in files and JSON, such as "exit_sign".

@@ -15,7 +15,9 @@ std::mutex& sinkMutex() {
 
 LogSink& currentSink() {
     static LogSink sink = [](LogLevel level, const std::string& message) {
-        const char* word = level == LogLevel::Info ? "" : level == LogLevel::Warning ? "warning: " : "error: ";
+        const char* word = level == LogLevel::Info      ? ""
+                           : level == LogLevel::Warning ? "warning: "
+                                                        : "error: ";
         std::fprintf(stderr, "farol: %s%s\n", word, message.c_str());
     };
     return sink;

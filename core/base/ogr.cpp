@@ -41,11 +41,17 @@ GdalMessages::GdalMessages() : m_state(std::make_unique<State>()) {
     CPLErrorReset();
 }
 
-GdalMessages::~GdalMessages() { CPLPopErrorHandler(); }
+GdalMessages::~GdalMessages() {
+    CPLPopErrorHandler();
+}
 
-bool GdalMessages::failed() const { return !m_state->errors.empty(); }
+bool GdalMessages::failed() const {
+    return !m_state->errors.empty();
+}
 
-void GdalMessages::clear() { m_state->errors.clear(); }
+void GdalMessages::clear() {
+    m_state->errors.clear();
+}
 
 std::string GdalMessages::text() const {
     std::string joined;
@@ -55,11 +61,15 @@ std::string GdalMessages::text() const {
 
 Error GdalMessages::error(ErrorCode fallback, const std::string& action, const std::string& context) const {
     std::string said = text();
-    bool full = said.find("disk is full") != std::string::npos || said.find("No space left") != std::string::npos;
-    return {full ? ErrorCode::NoSpace : fallback, said.empty() ? action : action + " (" + said + ")", context};
+    bool full =
+        said.find("disk is full") != std::string::npos || said.find("No space left") != std::string::npos;
+    return {full ? ErrorCode::NoSpace : fallback, said.empty() ? action : action + " (" + said + ")",
+            context};
 }
 
-void DatasetCloser::operator()(GDALDataset* dataset) const { GDALClose(dataset); }
+void DatasetCloser::operator()(GDALDataset* dataset) const {
+    GDALClose(dataset);
+}
 
 Result<DatasetPtr> openVector(const std::string& source, OpenMode mode) {
     registerDrivers();
@@ -69,7 +79,8 @@ Result<DatasetPtr> openVector(const std::string& source, OpenMode mode) {
             return Error{ErrorCode::NotFound, "there is no such file", source};
     }
     GdalMessages messages;
-    unsigned flags = GDAL_OF_VECTOR | GDAL_OF_VERBOSE_ERROR | (mode == OpenMode::Update ? GDAL_OF_UPDATE : 0U);
+    unsigned flags =
+        GDAL_OF_VECTOR | GDAL_OF_VERBOSE_ERROR | (mode == OpenMode::Update ? GDAL_OF_UPDATE : 0U);
     DatasetPtr dataset(GDALDataset::Open(source.c_str(), flags));
     if (dataset == nullptr) {
         bool foreign = messages.text().find("not recognized as a supported file format") != std::string::npos;

@@ -1,6 +1,6 @@
 #pragma once
-// The adapter to GDAL/OGR that every reader and writer of vector files shares: registration, error capture, opening.
-// One dataset per thread. GDAL's own messages never reach stderr; the last ones stand in the Error.
+// The adapter to GDAL/OGR that every reader and writer of vector files shares: registration, error capture,
+// opening. One dataset per thread. GDAL's own messages never reach stderr; the last ones stand in the Error.
 
 #include "core/base/error.h"
 
@@ -37,7 +37,7 @@ public:
     GdalMessages(const GdalMessages&) = delete;
     GdalMessages& operator=(const GdalMessages&) = delete;
 
-    bool failed() const; ///< an error was reported (warnings do not count)
+    bool failed() const;      ///< an error was reported (warnings do not count)
     std::string text() const; ///< the errors, joined by "; "
     void clear();
     /// An Error from what was said: NoSpace when GDAL spoke of a full disk, else `fallback`.

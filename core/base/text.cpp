@@ -52,7 +52,9 @@ void appendUtf8(std::string& out, char32_t point) {
     }
 }
 
-bool isDigit(char c) { return c >= '0' && c <= '9'; }
+bool isDigit(char c) {
+    return c >= '0' && c <= '9';
+}
 
 } // namespace
 

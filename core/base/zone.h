@@ -17,8 +17,8 @@ struct Zone {
     friend constexpr bool operator==(Zone, Zone) = default;
 };
 
-/// The zone of a point by thirds of width and height; a point on a line belongs to the right or lower zone, a point
-/// outside the picture to the nearest one.
+/// The zone of a point by thirds of width and height; a point on a line belongs to the right or lower zone, a
+/// point outside the picture to the nearest one.
 Zone zoneOf(ImagePoint point, ImageSize size);
 /// "left-down", and "centre" once for the middle (paper: "extinguisher-left-down").
 std::string_view zoneName(Zone zone);

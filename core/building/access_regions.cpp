@@ -43,8 +43,7 @@ Sides besideLine(const Plan& plan, const Access& access) {
     Point2 middle = access.midpoint();
     Point2 along = directionAtMiddle(access.line, middle);
     Point2 left = Point2{-along.y, along.x} * (kReachM / length(along));
-    return {regionAt(plan, middle + left, access.level),
-            regionAt(plan, middle - left, access.level)};
+    return {regionAt(plan, middle + left, access.level), regionAt(plan, middle - left, access.level)};
 }
 
 Sides aroundPoint(const Plan& plan, const Access& access) {
@@ -56,10 +55,12 @@ Sides aroundPoint(const Plan& plan, const Access& access) {
         double gap = distanceToPolygon(region.polygon, access.midpoint());
         if (gap <= kReachM) near.emplace_back(gap, &region);
     }
-    std::stable_sort(near.begin(), near.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::stable_sort(near.begin(), near.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
     // Where a third region is as near as the second, which two are meant is a guess.
     if (near.size() > 2 && near[2].first < near[1].first + 0.05) return {};
-    return {near.empty() ? RegionId() : near[0].second->id, near.size() < 2 ? RegionId() : near[1].second->id};
+    return {near.empty() ? RegionId() : near[0].second->id,
+            near.size() < 2 ? RegionId() : near[1].second->id};
 }
 
 } // namespace
@@ -77,8 +78,10 @@ void deriveAccessRegions(BuildingData& data) {
         } else {
             RegionId& known = access.regionA.empty() ? access.regionB : access.regionA;
             RegionId& open = access.regionA.empty() ? access.regionA : access.regionB;
-            if (first != known && second == known) open = first;
-            else if (first == known) open = second;
+            if (first != known && second == known)
+                open = first;
+            else if (first == known)
+                open = second;
         }
     }
 }

@@ -7,9 +7,9 @@
 
 namespace farol::building {
 
-/// Fills empty sides of accesses from geometry. A line: the regions 0.3 m to its left (A) and right (B). A point: the
-/// two regions of its level that lie nearest, within 0.3 m, when no third one is as near. A side that stays unsure
-/// stays empty.
+/// Fills empty sides of accesses from geometry. A line: the regions 0.3 m to its left (A) and right (B). A
+/// point: the two regions of its level that lie nearest, within 0.3 m, when no third one is as near. A side
+/// that stays unsure stays empty.
 void deriveAccessRegions(BuildingData& data);
 
 } // namespace farol::building

@@ -19,7 +19,8 @@ using Colours = std::vector<std::size_t>;
 
 std::string appearance(const Landmark& landmark) {
     if (!landmark.templateId.empty()) return "template " + landmark.templateId.value;
-    return std::string(kindName(landmark.kind)) + " " + landmark.kindText + " " + foldedForMatching(landmark.text);
+    return std::string(kindName(landmark.kind)) + " " + landmark.kindText + " " +
+           foldedForMatching(landmark.text);
 }
 
 /// Equal signatures get equal numbers.
@@ -37,7 +38,8 @@ Colours numbered(const std::vector<Signature>& signatures) {
 Colours looks(const Building& building) {
     std::vector<std::vector<std::string>> signatures(building.regions().size());
     for (std::size_t i = 0; i < signatures.size(); ++i) {
-        for (std::size_t landmark : building.landmarksOf(i)) signatures[i].push_back(appearance(building.landmarks()[landmark]));
+        for (std::size_t landmark : building.landmarksOf(i))
+            signatures[i].push_back(appearance(building.landmarks()[landmark]));
         std::sort(signatures[i].begin(), signatures[i].end());
     }
     return numbered(signatures);
@@ -47,7 +49,8 @@ Colours afterWalking(const Building& building, Colours colours) {
     for (int step = 0; step < kStepsBack; ++step) {
         std::vector<std::vector<std::size_t>> signatures(colours.size());
         for (std::size_t i = 0; i < colours.size(); ++i) {
-            for (std::size_t neighbour : building.neighboursOf(i)) signatures[i].push_back(colours[neighbour]);
+            for (std::size_t neighbour : building.neighboursOf(i))
+                signatures[i].push_back(colours[neighbour]);
             std::sort(signatures[i].begin(), signatures[i].end());
             // Which door one came by is unknown: how many neighbours look so does not count.
             signatures[i].erase(std::unique(signatures[i].begin(), signatures[i].end()), signatures[i].end());
@@ -73,12 +76,14 @@ std::size_t pairsIn(const Colours& colours) {
 }
 
 /// Members of groups, those first whose group is large and who have many neighbours.
-std::vector<std::size_t> candidates(const Building& building, const std::map<std::size_t, std::vector<std::size_t>>& groups) {
+std::vector<std::size_t> candidates(const Building& building,
+                                    const std::map<std::size_t, std::vector<std::size_t>>& groups) {
     std::vector<std::pair<std::size_t, std::size_t>> scored;
     for (const auto& [colour, members] : groups)
         for (std::size_t region : members)
             scored.emplace_back(members.size() * (1 + building.neighboursOf(region).size()), region);
-    std::stable_sort(scored.begin(), scored.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+    std::stable_sort(scored.begin(), scored.end(),
+                     [](const auto& a, const auto& b) { return a.first > b.first; });
     // A campus has too many to try each; the cost of one trial grows with the map.
     std::size_t most = std::min(kMostCandidates, 1 + 2000000 / (building.regions().size() + 1));
     if (scored.size() > most) scored.resize(most);
@@ -112,7 +117,8 @@ Ambiguity findAmbiguity(const Building& building) {
         Colours marked = own;
         marked[region] = regions.size(); // a look that nothing else has
         std::size_t left = pairsIn(afterWalking(building, std::move(marked)));
-        if (left < result.confusedPairs) result.suggestions.push_back({regions[region].id, result.confusedPairs - left});
+        if (left < result.confusedPairs)
+            result.suggestions.push_back({regions[region].id, result.confusedPairs - left});
     }
     std::stable_sort(result.suggestions.begin(), result.suggestions.end(), [](const auto& a, const auto& b) {
         return a.pairs != b.pairs ? a.pairs > b.pairs : naturalLess(a.region.value, b.region.value);

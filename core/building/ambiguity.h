@@ -1,6 +1,6 @@
 #pragma once
-// Where a map leaves the user's place open (`farol-cli map ambiguity`): regions that look alike with all that leads to
-// them, so that the last four landmarks seen cannot tell which of them one is in.
+// Where a map leaves the user's place open (`farol-cli map ambiguity`): regions that look alike with all that
+// leads to them, so that the last four landmarks seen cannot tell which of them one is in.
 
 #include "core/building/building.h"
 
@@ -10,8 +10,9 @@
 namespace farol::building {
 
 struct Ambiguity {
-    /// Regions of one group hold the same landmarks (by template, else by kind and text), and so do their neighbours,
-    /// theirs, and theirs again: three steps back are what four landmarks tell at most. Largest group first.
+    /// Regions of one group hold the same landmarks (by template, else by kind and text), and so do their
+    /// neighbours, theirs, and theirs again: three steps back are what four landmarks tell at most. Largest
+    /// group first.
     std::vector<std::vector<RegionId>> groups;
     std::vector<RegionId> withoutLandmarks;
     std::size_t confusedPairs = 0; ///< of regions in one group

@@ -17,7 +17,9 @@ Box2 joined(const Box2& a, const Box2& b) {
 
 } // namespace
 
-Box2 grown(const Box2& box, double by) { return {{box.low.x - by, box.low.y - by}, {box.high.x + by, box.high.y + by}}; }
+Box2 grown(const Box2& box, double by) {
+    return {{box.low.x - by, box.low.y - by}, {box.high.x + by, box.high.y + by}};
+}
 
 bool meet(const Box2& a, const Box2& b) {
     return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y;
@@ -25,14 +27,19 @@ bool meet(const Box2& a, const Box2& b) {
 
 BoxIndex::BoxIndex(const std::vector<Box2>& boxes) : m_items(boxes.size()) {
     std::iota(m_items.begin(), m_items.end(), std::size_t{0});
-    auto byX = [&](std::size_t a, std::size_t b) { return boxes[a].low.x + boxes[a].high.x < boxes[b].low.x + boxes[b].high.x; };
-    auto byY = [&](std::size_t a, std::size_t b) { return boxes[a].low.y + boxes[a].high.y < boxes[b].low.y + boxes[b].high.y; };
+    auto byX = [&](std::size_t a, std::size_t b) {
+        return boxes[a].low.x + boxes[a].high.x < boxes[b].low.x + boxes[b].high.x;
+    };
+    auto byY = [&](std::size_t a, std::size_t b) {
+        return boxes[a].low.y + boxes[a].high.y < boxes[b].low.y + boxes[b].high.y;
+    };
     std::stable_sort(m_items.begin(), m_items.end(), byX);
     double leaves = std::ceil(static_cast<double>(boxes.size()) / kFanOut);
     std::size_t slice = static_cast<std::size_t>(std::ceil(std::sqrt(std::max(1.0, leaves)))) * kFanOut;
     for (std::size_t at = 0; at < m_items.size(); at += slice)
         std::stable_sort(m_items.begin() + static_cast<std::ptrdiff_t>(at),
-                         m_items.begin() + static_cast<std::ptrdiff_t>(std::min(at + slice, m_items.size())), byY);
+                         m_items.begin() + static_cast<std::ptrdiff_t>(std::min(at + slice, m_items.size())),
+                         byY);
     for (std::size_t item : m_items) m_boxes.push_back(boxes[item]);
     auto addRow = [this](std::size_t from, std::size_t to, bool leaf) {
         for (std::size_t at = from; at < to; at += kFanOut) {
@@ -45,7 +52,8 @@ BoxIndex::BoxIndex(const std::vector<Box2>& boxes) : m_items(boxes.size()) {
         }
     };
     addRow(0, m_items.size(), true);
-    for (std::size_t from = 0, to = m_nodes.size(); to - from > 1; from = to, to = m_nodes.size()) addRow(from, to, false);
+    for (std::size_t from = 0, to = m_nodes.size(); to - from > 1; from = to, to = m_nodes.size())
+        addRow(from, to, false);
 }
 
 std::vector<std::size_t> BoxIndex::meeting(const Box2& box) const {
@@ -56,8 +64,10 @@ std::vector<std::size_t> BoxIndex::meeting(const Box2& box) const {
         open.pop_back();
         if (!meet(node.box, box)) continue;
         for (std::size_t i = node.first; i < node.last; ++i) {
-            if (!node.leaf) open.push_back(i);
-            else if (meet(m_boxes[i], box)) found.push_back(m_items[i]);
+            if (!node.leaf)
+                open.push_back(i);
+            else if (meet(m_boxes[i], box))
+                found.push_back(m_items[i]);
         }
     }
     std::sort(found.begin(), found.end());

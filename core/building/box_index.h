@@ -1,6 +1,6 @@
 #pragma once
-// Boxes found by place: a packed R-tree (sort-tile-recursive). Built once; memory and building time stay in proportion
-// to the number of boxes however they lie.
+// Boxes found by place: a packed R-tree (sort-tile-recursive). Built once; memory and building time stay in
+// proportion to the number of boxes however they lie.
 
 #include "core/base/geometry.h"
 

@@ -13,13 +13,23 @@ namespace {
 template <class Kind, std::size_t N>
 using Names = std::array<std::pair<Kind, const char*>, N>;
 
-constexpr Names<RegionKind, 8> kRegionKinds{{{RegionKind::Room, "room"}, {RegionKind::Corridor, "corridor"},
-    {RegionKind::Hall, "hall"}, {RegionKind::Stairwell, "stairwell"}, {RegionKind::Elevator, "elevator"},
-    {RegionKind::Toilet, "toilet"}, {RegionKind::Outside, "outside"}, {RegionKind::Other, "other"}}};
+constexpr Names<RegionKind, 8> kRegionKinds{{{RegionKind::Room, "room"},
+                                             {RegionKind::Corridor, "corridor"},
+                                             {RegionKind::Hall, "hall"},
+                                             {RegionKind::Stairwell, "stairwell"},
+                                             {RegionKind::Elevator, "elevator"},
+                                             {RegionKind::Toilet, "toilet"},
+                                             {RegionKind::Outside, "outside"},
+                                             {RegionKind::Other, "other"}}};
 
-constexpr Names<AccessKind, 8> kAccessKinds{{{AccessKind::Door, "door"}, {AccessKind::Opening, "opening"},
-    {AccessKind::Stairs, "stairs"}, {AccessKind::Elevator, "elevator"}, {AccessKind::Escalator, "escalator"},
-    {AccessKind::Ramp, "ramp"}, {AccessKind::Window, "window"}, {AccessKind::Other, "other"}}};
+constexpr Names<AccessKind, 8> kAccessKinds{{{AccessKind::Door, "door"},
+                                             {AccessKind::Opening, "opening"},
+                                             {AccessKind::Stairs, "stairs"},
+                                             {AccessKind::Elevator, "elevator"},
+                                             {AccessKind::Escalator, "escalator"},
+                                             {AccessKind::Ramp, "ramp"},
+                                             {AccessKind::Window, "window"},
+                                             {AccessKind::Other, "other"}}};
 
 template <class Kind, std::size_t N>
 std::string nameIn(const Names<Kind, N>& names, Kind kind) {
@@ -42,7 +52,9 @@ std::optional<std::size_t> find(const std::unordered_map<Key, std::size_t>& inde
     return it->second;
 }
 
-bool sameLevel(double a, double b) { return std::abs(a - b) < 1e-6; }
+bool sameLevel(double a, double b) {
+    return std::abs(a - b) < 1e-6;
+}
 
 bool holds(const Box2& box, Point2 p) {
     return p.x >= box.low.x && p.x <= box.high.x && p.y >= box.low.y && p.y <= box.high.y;
@@ -55,7 +67,8 @@ Point2 Access::midpoint() const {
     double remaining = farol::length(line) / 2.0;
     for (std::size_t i = 1; i < line.size(); ++i) {
         double step = distance(line[i - 1], line[i]);
-        if (step > 0.0 && step >= remaining) return line[i - 1] + (line[i] - line[i - 1]) * (remaining / step);
+        if (step > 0.0 && step >= remaining)
+            return line[i - 1] + (line[i] - line[i - 1]) * (remaining / step);
         remaining -= step;
     }
     return line.back();
@@ -101,7 +114,8 @@ void Building::indexNeighbours() {
     std::vector<std::vector<std::size_t>> neighbourRows(regions().size());
     std::vector<bool> changesLevel(regions().size(), false);
     for (std::size_t i = 0; i < regions().size(); ++i)
-        changesLevel[i] = regions()[i].kind == RegionKind::Stairwell || regions()[i].kind == RegionKind::Elevator;
+        changesLevel[i] =
+            regions()[i].kind == RegionKind::Stairwell || regions()[i].kind == RegionKind::Elevator;
     for (std::size_t i = 0; i < accesses().size(); ++i) {
         const Access& each = accesses()[i];
         auto a = regionIndex(each.regionA);
@@ -122,7 +136,9 @@ void Building::indexNeighbours() {
             if (changesLevel[neighbour]) m_nearLevelChange[i] = true;
 }
 
-std::optional<std::size_t> Building::regionIndex(const RegionId& id) const { return find(m_regionIndex, id); }
+std::optional<std::size_t> Building::regionIndex(const RegionId& id) const {
+    return find(m_regionIndex, id);
+}
 
 const Region* Building::region(const RegionId& id) const {
     auto index = regionIndex(id);
@@ -145,7 +161,9 @@ const Level* Building::level(double ordinal) const {
     return it == levels().end() ? nullptr : &*it;
 }
 
-std::span<const std::size_t> Building::accessesOf(std::size_t regionIndex) const { return m_accesses.of(regionIndex); }
+std::span<const std::size_t> Building::accessesOf(std::size_t regionIndex) const {
+    return m_accesses.of(regionIndex);
+}
 
 std::span<const std::size_t> Building::neighboursOf(std::size_t regionIndex) const {
     return m_neighbours.of(regionIndex);
@@ -194,9 +212,17 @@ std::string spokenName(const Region& region) {
     return region.ref.empty() ? region.id.value : region.ref;
 }
 
-std::string regionKindName(RegionKind kind) { return nameIn(kRegionKinds, kind); }
-std::optional<RegionKind> regionKindFromName(const std::string& name) { return kindIn(kRegionKinds, name); }
-std::string accessKindName(AccessKind kind) { return nameIn(kAccessKinds, kind); }
-std::optional<AccessKind> accessKindFromName(const std::string& name) { return kindIn(kAccessKinds, name); }
+std::string regionKindName(RegionKind kind) {
+    return nameIn(kRegionKinds, kind);
+}
+std::optional<RegionKind> regionKindFromName(const std::string& name) {
+    return kindIn(kRegionKinds, name);
+}
+std::string accessKindName(AccessKind kind) {
+    return nameIn(kAccessKinds, kind);
+}
+std::optional<AccessKind> accessKindFromName(const std::string& name) {
+    return kindIn(kAccessKinds, name);
+}
 
 } // namespace farol::building

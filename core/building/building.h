@@ -1,6 +1,7 @@
 #pragma once
-// The building as a value: levels, regions, accesses, landmarks and walls, as the GeoPackage of the design (section 4)
-// holds them. Map axes: x east, y north, metres, in the metric CRS named by `crs`. Nothing here reads files.
+// The building as a value: levels, regions, accesses, landmarks and walls, as the GeoPackage of the design
+// (section 4) holds them. Map axes: x east, y north, metres, in the metric CRS named by `crs`. Nothing here
+// reads files.
 
 #include "core/base/geometry.h"
 #include "core/base/ids.h"
@@ -50,8 +51,8 @@ struct Region {
 enum class AccessKind { Door, Opening, Stairs, Elevator, Escalator, Ramp, Window, Other };
 enum class OneWay { No, AToB, BToA };
 
-/// What joins two regions. `line` has two or more points for a door's width, one for a point. Stairs, lifts and
-/// escalators join regions of different levels; `level` is then the level of `regionA`.
+/// What joins two regions. `line` has two or more points for a door's width, one for a point. Stairs, lifts
+/// and escalators join regions of different levels; `level` is then the level of `regionA`.
 struct Access {
     AccessId id;
     AccessKind kind = AccessKind::Door;
@@ -77,13 +78,14 @@ struct Access {
     }
 };
 
-/// A reference object at a place in the map. Kind Place is the view of the spot itself: `position` is where the
-/// camera stood and `heading` the way it looked; for all others `heading` is the way the object faces.
+/// A reference object at a place in the map. Kind Place is the view of the spot itself: `position` is where
+/// the camera stood and `heading` the way it looked; for all others `heading` is the way the object faces.
 struct Landmark {
     LandmarkId id;
     Kind kind = Kind::Other;
     std::string kindText; ///< as in the file when `kind` is Other
-    TemplateId templateId; ///< the trained appearance, which many landmarks may share; empty: known by kind or text
+    TemplateId
+        templateId; ///< the trained appearance, which many landmarks may share; empty: known by kind or text
     std::string text;
     RegionId region;
     double level = 0.0;
@@ -113,9 +115,9 @@ struct BuildingData {
     std::map<std::string, std::string> properties; ///< the `farol` layer's other keys
 };
 
-/// An immutable building with its lookups. Indices are positions in the vectors. Neighbours are joined by a passable
-/// access in either direction; an access that does not name two known regions joins nothing (see checks.h).
-/// Publish as shared_ptr<const Building>; safe to read from any thread.
+/// An immutable building with its lookups. Indices are positions in the vectors. Neighbours are joined by a
+/// passable access in either direction; an access that does not name two known regions joins nothing (see
+/// checks.h). Publish as shared_ptr<const Building>; safe to read from any thread.
 class Building {
 public:
     explicit Building(BuildingData data);
@@ -132,7 +134,7 @@ public:
     const Landmark* landmark(const LandmarkId& id) const;
     const Level* level(double ordinal) const;
 
-    std::span<const std::size_t> accessesOf(std::size_t regionIndex) const;   ///< also closed ones and windows
+    std::span<const std::size_t> accessesOf(std::size_t regionIndex) const; ///< also closed ones and windows
     std::span<const std::size_t> neighboursOf(std::size_t regionIndex) const; ///< sorted, each once
     std::span<const std::size_t> landmarksOf(std::size_t regionIndex) const;
     bool areNeighbours(std::size_t a, std::size_t b) const;

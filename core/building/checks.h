@@ -10,8 +10,8 @@ namespace farol::building {
 
 enum class Severity { Error, Warning, Note };
 
-/// `rule` is stable ("access-joins-two-regions"); `ids` name the features of `layer`; `message` says what is wrong
-/// and what to do.
+/// `rule` is stable ("access-joins-two-regions"); `ids` name the features of `layer`; `message` says what is
+/// wrong and what to do.
 struct Finding {
     Severity severity = Severity::Note;
     std::string rule;
@@ -23,10 +23,10 @@ struct Finding {
 std::string severityName(Severity severity);
 
 /// Rules so far: region-polygon-valid, region-id-unique, access-joins-two-regions, access-regions-exist,
-/// regions-connected (components), landmark-region-exists, landmark-inside-region, region-named, level-listed,
-/// access-id-unique, landmark-id-unique, access-touches-regions, access-level-change, kind-known, region-sliver,
-/// region-overlap, region-inside, region-duplicate, region-ref-unique, region-has-access, shaft-misses-level,
-/// crs-degrees-for-metres.
+/// regions-connected (components), landmark-region-exists, landmark-inside-region, region-named,
+/// level-listed, access-id-unique, landmark-id-unique, access-touches-regions, access-level-change,
+/// kind-known, region-sliver, region-overlap, region-inside, region-duplicate, region-ref-unique,
+/// region-has-access, shaft-misses-level, crs-degrees-for-metres.
 std::vector<Finding> checkBuilding(const Building& building);
 
 /// Connected components over passable accesses: region indices, largest first.

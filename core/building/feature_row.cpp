@@ -14,7 +14,8 @@ namespace farol::building {
 
 namespace {
 
-/// No building lies further from the origin of a metric CRS; beyond it squares and products lose their meaning.
+/// No building lies further from the origin of a metric CRS; beyond it squares and products lose their
+/// meaning.
 constexpr double kLargestCoordinate = 1e8;
 
 std::optional<double> parsedNumber(const std::string& text) {
@@ -103,7 +104,8 @@ bool FeatureRow::flag(const char* field) {
     std::transform(written.begin(), written.end(), written.begin(),
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     if (written.empty() || written == "0" || written == "false" || written == "no") return false;
-    if (written != "1" && written != "true" && written != "yes") fail(std::string(field) + " is neither 0 nor 1");
+    if (written != "1" && written != "true" && written != "yes")
+        fail(std::string(field) + " is neither 0 nor 1");
     return true;
 }
 
@@ -116,9 +118,12 @@ Attributes FeatureRow::extra() const {
         if (m_feature.IsFieldSetAndNotNull(i)) {
             if (field.GetType() == OFTInteger || field.GetType() == OFTInteger64)
                 value = static_cast<std::int64_t>(m_feature.GetFieldAsInteger64(i));
-            else if (field.GetType() == OFTReal) value = m_feature.GetFieldAsDouble(i);
-            else if (field.GetType() == OFTBinary) continue; // stays in the file: see the writer
-            else value = std::string(m_feature.GetFieldAsString(i));
+            else if (field.GetType() == OFTReal)
+                value = m_feature.GetFieldAsDouble(i);
+            else if (field.GetType() == OFTBinary)
+                continue; // stays in the file: see the writer
+            else
+                value = std::string(m_feature.GetFieldAsString(i));
         }
         attributes.emplace(field.GetNameRef(), std::move(value));
     }
@@ -133,14 +138,15 @@ const OGRGeometry* FeatureRow::geometry(const char* wanted) {
     }
     const OGRGeometry* part = singlePart(*whole);
     if (part == nullptr)
-        fail("consists of " + std::to_string(whole->toGeometryCollection()->getNumGeometries()) + " parts; a single " +
-             wanted + " is wanted: split it and give each part its own id");
+        fail("consists of " + std::to_string(whole->toGeometryCollection()->getNumGeometries()) +
+             " parts; a single " + wanted + " is wanted: split it and give each part its own id");
     return part;
 }
 
 bool FeatureRow::checkPoints(const std::vector<Point2>& points) {
     for (Point2 p : points) {
-        if (!isFinite(p)) fail("has a coordinate that is no number");
+        if (!isFinite(p))
+            fail("has a coordinate that is no number");
         else if (std::abs(p.x) > kLargestCoordinate || std::abs(p.y) > kLargestCoordinate)
             fail("has a coordinate beyond any metric map");
     }
@@ -151,7 +157,8 @@ Ring FeatureRow::ring(const OGRLineString& line) {
     Ring points;
     for (int i = 0; i < line.getNumPoints(); ++i) points.push_back({line.getX(i), line.getY(i)});
     if (points.size() > 1 && points.front() == points.back()) points.pop_back();
-    if (checkPoints(points) && (points.size() < 3 || signedArea(points) == 0.0)) fail("is an outline without an area");
+    if (checkPoints(points) && (points.size() < 3 || signedArea(points) == 0.0))
+        fail("is an outline without an area");
     return points;
 }
 
@@ -164,7 +171,8 @@ Polygon FeatureRow::polygon() {
         part = straight.get();
     }
     if (part == nullptr || wkbFlatten(part->getGeometryType()) != wkbPolygon) {
-        fail(std::string("is a ") + (part == nullptr ? "curve" : part->getGeometryName()) + "; a Polygon is wanted");
+        fail(std::string("is a ") + (part == nullptr ? "curve" : part->getGeometryName()) +
+             "; a Polygon is wanted");
         return {};
     }
     const OGRPolygon* outline = part->toPolygon();
@@ -174,7 +182,8 @@ Polygon FeatureRow::polygon() {
     }
     Polygon polygon;
     polygon.outer = ring(*outline->getExteriorRing());
-    for (int i = 0; i < outline->getNumInteriorRings(); ++i) polygon.holes.push_back(ring(*outline->getInteriorRing(i)));
+    for (int i = 0; i < outline->getNumInteriorRings(); ++i)
+        polygon.holes.push_back(ring(*outline->getInteriorRing(i)));
     return polygon;
 }
 

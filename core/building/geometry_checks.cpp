@@ -24,7 +24,9 @@ constexpr double kOverlapShare = 0.05, kInsideShare = 0.95;
 /// Overlaps looked at per region on average; a map in which everything overlaps is told soon enough.
 constexpr std::size_t kMostPairsEach = 20;
 
-std::string quoted(const std::string& id) { return "\"" + id + "\""; }
+std::string quoted(const std::string& id) {
+    return "\"" + id + "\"";
+}
 
 double perimeter(const Ring& ring) {
     double sum = ring.empty() ? 0.0 : distance(ring.back(), ring.front());
@@ -38,7 +40,9 @@ double meanWidth(const Polygon& polygon) {
     return around > 0.0 ? 2.0 * area(polygon) / around : 0.0;
 }
 
-std::string percent(double share) { return std::to_string(static_cast<int>(std::lround(share * 100.0))) + " %"; }
+std::string percent(double share) {
+    return std::to_string(static_cast<int>(std::lround(share * 100.0))) + " %";
+}
 
 class OverlapCheck {
 public:
@@ -58,9 +62,12 @@ public:
             }
         }
         if (left == 0)
-            m_findings.push_back({Severity::Warning, "region-overlap",
-                                  "so many regions overlap that not all pairs were compared; are all levels drawn on one?",
-                                  "regions", {}});
+            m_findings.push_back(
+                {Severity::Warning,
+                 "region-overlap",
+                 "so many regions overlap that not all pairs were compared; are all levels drawn on one?",
+                 "regions",
+                 {}});
     }
 
 private:
@@ -68,7 +75,8 @@ private:
         Box2 one = *boundingBox(a.polygon.outer), other = *boundingBox(b.polygon.outer);
         double width = std::min(one.high.x, other.high.x) - std::max(one.low.x, other.low.x);
         double height = std::min(one.high.y, other.high.y) - std::max(one.low.y, other.low.y);
-        double smaller = std::min(area(a.polygon), area(b.polygon)), larger = std::max(area(a.polygon), area(b.polygon));
+        double smaller = std::min(area(a.polygon), area(b.polygon)),
+               larger = std::max(area(a.polygon), area(b.polygon));
         double least = std::max(kLeastAreaM2, kOverlapShare * smaller);
         if (width * height < least || smaller <= 0.0) return; // borders only
         GdalMessages quiet;
@@ -83,15 +91,19 @@ private:
         std::string names = "regions " + quoted(a.id.value) + " and " + quoted(b.id.value);
         std::vector<std::string> ids{a.id.value, b.id.value};
         if (share > kInsideShare && ratio > kInsideShare)
-            m_findings.push_back({Severity::Warning, "region-duplicate", names + " have the same outline; remove one", "regions", ids});
+            m_findings.push_back({Severity::Warning, "region-duplicate",
+                                  names + " have the same outline; remove one", "regions", ids});
         else if (share > kInsideShare)
-            m_findings.push_back({Severity::Note, "region-inside",
-                                  names + ": the smaller lies inside the larger; cut it out of the larger one, unless it is a "
-                                          "part of it", "regions", ids});
+            m_findings.push_back(
+                {Severity::Note, "region-inside",
+                 names + ": the smaller lies inside the larger; cut it out of the larger one, unless it is a "
+                         "part of it",
+                 "regions", ids});
         else
-            m_findings.push_back({Severity::Warning, "region-overlap",
-                                  names + " overlap by " + percent(share) + " of the smaller; draw the border between them",
-                                  "regions", ids});
+            m_findings.push_back(
+                {Severity::Warning, "region-overlap",
+                 names + " overlap by " + percent(share) + " of the smaller; draw the border between them",
+                 "regions", ids});
     }
 
     const Building& m_building;
@@ -113,22 +125,27 @@ void checkShafts(const Building& building, Findings& findings) {
                 level.ordinal < *levels.rbegin() && levels.count(level.ordinal) == 0)
                 missing += (missing.empty() ? "" : ", ") + formatNumber(level.ordinal);
         if (!missing.empty())
-            findings.push_back({Severity::Warning, "shaft-misses-level",
+            findings.push_back({Severity::Warning,
+                                "shaft-misses-level",
                                 "shaft " + quoted(shaft.value) + " passes level " + missing +
                                     " without an access there; add it, unless it does not stop there",
-                                "accesses", {shaft.value}});
+                                "accesses",
+                                {shaft.value}});
     }
 }
 
 void checkRefs(const Building& building, Findings& findings) {
     std::map<std::pair<double, std::string>, std::vector<std::string>> regions;
     for (const Region& region : building.regions())
-        if (!region.ref.empty()) regions[{region.level, foldedForMatching(region.ref)}].push_back(region.id.value);
+        if (!region.ref.empty())
+            regions[{region.level, foldedForMatching(region.ref)}].push_back(region.id.value);
     for (const auto& [ref, ids] : regions)
         if (ids.size() > 1)
             findings.push_back({Severity::Warning, "region-ref-unique",
-                                std::to_string(ids.size()) + " regions of level " + formatNumber(ref.first) + " have the ref " +
-                                    quoted(ref.second) + ": people are led to the wrong one; correct it", "regions", ids});
+                                std::to_string(ids.size()) + " regions of level " + formatNumber(ref.first) +
+                                    " have the ref " + quoted(ref.second) +
+                                    ": people are led to the wrong one; correct it",
+                                "regions", ids});
 }
 
 void checkSize(const Building& building, Findings& findings) {
@@ -141,9 +158,13 @@ void checkSize(const Building& building, Findings& findings) {
                        {std::max(all->high.x, p.x), std::max(all->high.y, p.y)}};
         }
     if (all && building.regions().size() > 1 && std::max(all->width(), all->height()) < 0.3)
-        findings.push_back({Severity::Error, "crs-degrees-for-metres",
-                            "the whole building is smaller than 0.3 m: its coordinates are degrees, not metres; import or "
-                            "reproject it", "regions", {}});
+        findings.push_back(
+            {Severity::Error,
+             "crs-degrees-for-metres",
+             "the whole building is smaller than 0.3 m: its coordinates are degrees, not metres; import or "
+             "reproject it",
+             "regions",
+             {}});
 }
 
 void checkDoors(const Building& building, Findings& findings) {
@@ -151,10 +172,11 @@ void checkDoors(const Building& building, Findings& findings) {
     for (std::size_t i = 0; i < building.regions().size(); ++i)
         if (building.neighboursOf(i).empty()) without.push_back(building.regions()[i].id.value);
     if (!without.empty() && building.regions().size() > 1)
-        findings.push_back({Severity::Warning, "region-has-access",
-                            (without.size() == 1 ? "1 region has" : std::to_string(without.size()) + " regions have") +
-                                " no door or other access that joins another region: nobody can be led there; add it",
-                            "regions", without});
+        findings.push_back(
+            {Severity::Warning, "region-has-access",
+             (without.size() == 1 ? "1 region has" : std::to_string(without.size()) + " regions have") +
+                 " no door or other access that joins another region: nobody can be led there; add it",
+             "regions", without});
 }
 
 } // namespace
@@ -175,13 +197,17 @@ bool crossesItself(const Polygon& polygon) {
 
 void checkOutlines(const Building& building, Findings& findings) {
     for (const Region& region : building.regions()) {
-        if (region.polygon.outer.size() < 3 || std::abs(signedArea(region.polygon.outer)) < 1e-6) continue; // told otherwise
+        if (region.polygon.outer.size() < 3 || std::abs(signedArea(region.polygon.outer)) < 1e-6)
+            continue; // told otherwise
         double width = meanWidth(region.polygon);
         if (width < kSliverWidthM)
-            findings.push_back({Severity::Warning, "region-sliver",
+            findings.push_back({Severity::Warning,
+                                "region-sliver",
                                 "region " + quoted(region.id.value) + " is a sliver, about " +
                                     formatNumber(std::round(width * 100.0) / 100.0) +
-                                    " m wide: nobody stands there; join it to its neighbour", "regions", {region.id.value}});
+                                    " m wide: nobody stands there; join it to its neighbour",
+                                "regions",
+                                {region.id.value}});
     }
     OverlapCheck(building, findings).run();
 }

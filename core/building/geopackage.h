@@ -12,19 +12,21 @@ namespace farol::building {
 
 struct LoadedBuilding {
     std::shared_ptr<const Building> building;
-    /// What was odd but could be lived with: unknown kinds, missing optional layers, accesses without two regions.
+    /// What was odd but could be lived with: unknown kinds, missing optional layers, accesses without two
+    /// regions.
     std::vector<std::string> warnings;
 };
 
-/// Reads the layers of the design. NotFound, UnsupportedFormat (not a map, degrees instead of metres, or a later schema),
-/// Corrupt (no regions, coordinates that are not finite, duplicate ids, a layer without its key field). Features are
-/// sorted by id. Empty region_a/region_b of an access are derived from geometry: for a line, the regions of its level
-/// 0.3 m to the left (A) and right (B) of its midpoint; for a point, the two nearest within 0.3 m.
+/// Reads the layers of the design. NotFound, UnsupportedFormat (not a map, degrees instead of metres, or a
+/// later schema), Corrupt (no regions, coordinates that are not finite, duplicate ids, a layer without its
+/// key field). Features are sorted by id. Empty region_a/region_b of an access are derived from geometry: for
+/// a line, the regions of its level 0.3 m to the left (A) and right (B) of its midpoint; for a point, the two
+/// nearest within 0.3 m.
 Result<LoadedBuilding> loadBuilding(const std::string& source);
 
-/// Writes all layers in one transaction. An existing GeoPackage keeps its unknown layers (the landmark library among
-/// them) and unknown fields; whatever fails, the old file stays whole. Keys of the layer `farol` are added or changed,
-/// never removed.
+/// Writes all layers in one transaction. An existing GeoPackage keeps its unknown layers (the landmark
+/// library among them) and unknown fields; whatever fails, the old file stays whole. Keys of the layer
+/// `farol` are added or changed, never removed.
 Result<void> saveBuilding(const Building& building, const std::string& path);
 
 } // namespace farol::building

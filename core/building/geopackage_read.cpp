@@ -1,9 +1,8 @@
-#include "core/building/geopackage.h"
-
 #include "core/base/ogr.h"
 #include "core/base/text.h"
 #include "core/building/access_regions.h"
 #include "core/building/feature_row.h"
+#include "core/building/geopackage.h"
 #include "core/building/layer_schema.h"
 
 #include <gdal_priv.h>
@@ -69,7 +68,9 @@ private:
     std::map<std::string, std::vector<std::string>> m_unknownKinds; ///< kind -> ids
 };
 
-OGRLayer* layerOf(GDALDataset& dataset, const LayerSpec& spec) { return dataset.GetLayerByName(spec.name); }
+OGRLayer* layerOf(GDALDataset& dataset, const LayerSpec& spec) {
+    return dataset.GetLayerByName(spec.name);
+}
 
 std::string listed(const std::vector<std::string>& ids) {
     std::string text;
@@ -95,8 +96,9 @@ Result<LoadedBuilding> Reader::read() {
 
 Result<void> Reader::readLayers() {
     using Step = Result<void> (Reader::*)();
-    for (Step step : {&Reader::checkIsMap, &Reader::readFarol, &Reader::checkSchema, &Reader::readLevels,
-                      &Reader::readRegions, &Reader::readAccesses, &Reader::readLandmarks, &Reader::readWalls})
+    for (Step step :
+         {&Reader::checkIsMap, &Reader::readFarol, &Reader::checkSchema, &Reader::readLevels,
+          &Reader::readRegions, &Reader::readAccesses, &Reader::readLandmarks, &Reader::readWalls})
         if (auto done = (this->*step)(); !done) return done;
     return {};
 }
@@ -106,10 +108,12 @@ Result<void> Reader::checkIsMap() {
     OGRLayer* regions = layerOf(*m_dataset, regionsLayer());
     if (regions != nullptr) return checkCrs(*regions);
     bool library = m_dataset->GetLayerByName("templates") != nullptr;
-    return Error{ErrorCode::UnsupportedFormat,
-                 library ? "is a landmark library without a map: name the file of the building"
-                         : "is not a Farol map: it has no layer regions; convert other formats with farol-cli map import",
-                 m_place};
+    return Error{
+        ErrorCode::UnsupportedFormat,
+        library
+            ? "is a landmark library without a map: name the file of the building"
+            : "is not a Farol map: it has no layer regions; convert other formats with farol-cli map import",
+        m_place};
 }
 
 Result<void> Reader::checkCrs(OGRLayer& regions) {
@@ -120,7 +124,8 @@ Result<void> Reader::checkCrs(OGRLayer& regions) {
     std::string context = m_place + ", layer regions";
     if (reference->IsGeographic() != 0)
         return Error{ErrorCode::UnsupportedFormat,
-                     "the map is in degrees (" + std::string(name) + "); metres are wanted: import or reproject it",
+                     "the map is in degrees (" + std::string(name) +
+                         "); metres are wanted: import or reproject it",
                      context};
     if (std::abs(reference->GetLinearUnits() - 1.0) > 1e-9)
         return Error{ErrorCode::UnsupportedFormat,
@@ -135,7 +140,8 @@ Result<void> Reader::checkCrs(OGRLayer& regions) {
 Result<void> Reader::checkFields(OGRLayer& layer, const LayerSpec& spec, const std::string& context) {
     OGRFeatureDefn& definition = *layer.GetLayerDefn();
     if (spec.key != nullptr && definition.GetFieldIndex(spec.key) < 0)
-        return Error{ErrorCode::Corrupt, std::string("the field ") + spec.key + " is missing; add and fill it", context};
+        return Error{ErrorCode::Corrupt,
+                     std::string("the field ") + spec.key + " is missing; add and fill it", context};
     if (spec.knows("level") && definition.GetFieldIndex("level") < 0)
         m_warnings.push_back(context + ": there is no field level; level 0 is assumed");
     return {};
@@ -165,14 +171,19 @@ Result<void> Reader::readFarol() {
     return readLayer(farolLayer(), [&](FeatureRow& row) {
         std::string key = row.text("key");
         std::string value = row.text("value");
-        if (key == "schema") m_schema = value;
-        else if (key == "title") m_data.title = value;
-        else if (key != "languages") m_data.properties[key] = value;
+        if (key == "schema")
+            m_schema = value;
+        else if (key == "title")
+            m_data.title = value;
+        else if (key != "languages")
+            m_data.properties[key] = value;
         std::string language;
         if (key != "languages") return;
         for (char c : value + ",") {
-            if (c != ',' && c != ' ' && c != ';') language.push_back(c);
-            else if (!language.empty()) m_data.languages.push_back(std::exchange(language, {}));
+            if (c != ',' && c != ' ' && c != ';')
+                language.push_back(c);
+            else if (!language.empty())
+                m_data.languages.push_back(std::exchange(language, {}));
         }
     });
 }
@@ -186,8 +197,9 @@ Result<void> Reader::checkSchema() {
         return Error{ErrorCode::Corrupt, "the schema version \"" + m_schema + "\" is no version", context};
     if (version > kSchemaVersion)
         return Error{ErrorCode::UnsupportedFormat,
-                     "the map has schema version " + m_schema + ", this Farol knows " + std::to_string(kSchemaVersion) +
-                         ": use a newer Farol", context};
+                     "the map has schema version " + m_schema + ", this Farol knows " +
+                         std::to_string(kSchemaVersion) + ": use a newer Farol",
+                     context};
     return {};
 }
 
@@ -199,7 +211,8 @@ bool Reader::firstUse(FeatureRow& row, std::set<std::string>& used) {
 }
 
 template <class KindType>
-void Reader::readKind(FeatureRow& row, const std::optional<KindType>& kind, KindType& target, std::string& text) {
+void Reader::readKind(FeatureRow& row, const std::optional<KindType>& kind, KindType& target,
+                      std::string& text) {
     target = kind.value_or(KindType::Other);
     if (kind) return;
     text = row.text("kind");
@@ -238,7 +251,8 @@ Result<void> Reader::readRegions() {
         m_data.regions.push_back(std::move(region));
     });
     if (done && m_data.regions.empty())
-        return Error{ErrorCode::Corrupt, "the map has no regions; draw at least one", m_place + ", layer regions"};
+        return Error{ErrorCode::Corrupt, "the map has no regions; draw at least one",
+                     m_place + ", layer regions"};
     return done;
 }
 
@@ -253,9 +267,12 @@ void Reader::readAccess(FeatureRow& row) {
     access.level = derived ? first->second : row.level();
     access.shaft = ShaftId(row.text("shaft"));
     std::string oneWay = row.text("oneway");
-    if (oneWay == "a_to_b") access.oneWay = OneWay::AToB;
-    else if (oneWay == "b_to_a") access.oneWay = OneWay::BToA;
-    else if (!oneWay.empty()) row.fail("oneway is \"" + oneWay + "\"; a_to_b, b_to_a or nothing is wanted");
+    if (oneWay == "a_to_b")
+        access.oneWay = OneWay::AToB;
+    else if (oneWay == "b_to_a")
+        access.oneWay = OneWay::BToA;
+    else if (!oneWay.empty())
+        row.fail("oneway is \"" + oneWay + "\"; a_to_b, b_to_a or nothing is wanted");
     access.doorType = row.text("door_type");
     access.automatic = row.flag("automatic");
     access.widthM = row.number("width_m");
@@ -299,7 +316,8 @@ Result<void> Reader::readLandmarks() {
 
 Result<void> Reader::readWalls() {
     return readLayer(wallsLayer(), [&](FeatureRow& row) {
-        for (Polyline& line : row.lines()) m_data.walls.push_back({row.level(), std::move(line), row.extra()});
+        for (Polyline& line : row.lines())
+            m_data.walls.push_back({row.level(), std::move(line), row.extra()});
     });
 }
 

@@ -1,8 +1,7 @@
-#include "core/building/geopackage.h"
-
 #include "core/base/file.h"
 #include "core/base/ogr.h"
 #include "core/base/text.h"
+#include "core/building/geopackage.h"
 #include "core/building/layer_schema.h"
 #include "core/building/layer_writer.h"
 
@@ -50,77 +49,84 @@ std::string kindText(KindType kind, const std::string& text, const std::string& 
 
 Result<void> writeLevels(GDALDataset& dataset, const BuildingData& data, const std::string& context) {
     LayerWriter writer(dataset, levelsLayer(), data.crs, context);
-    return writeItems(writer, data.levels, [](const Level& level) { return formatNumber(level.ordinal); },
-                      [&](const Level& level) {
-        writer.set("level", std::optional<double>(level.ordinal));
-        writer.set("name", level.name);
-        writer.set("ref", level.ref);
-        writer.set("elevation_m", level.elevationM);
-        writer.set("height_m", level.heightM);
-    });
+    return writeItems(
+        writer, data.levels, [](const Level& level) { return formatNumber(level.ordinal); },
+        [&](const Level& level) {
+            writer.set("level", std::optional<double>(level.ordinal));
+            writer.set("name", level.name);
+            writer.set("ref", level.ref);
+            writer.set("elevation_m", level.elevationM);
+            writer.set("height_m", level.heightM);
+        });
 }
 
 Result<void> writeRegions(GDALDataset& dataset, const BuildingData& data, const std::string& context) {
     LayerWriter writer(dataset, regionsLayer(), data.crs, context);
-    return writeItems(writer, data.regions, [](const Region& region) { return region.id.value; },
-                      [&](const Region& region) {
-        writer.set("region_id", region.id.value);
-        writer.set("level", std::optional<double>(region.level));
-        writer.set("name", region.name);
-        writer.set("ref", region.ref);
-        writer.set("kind", kindText(region.kind, region.kindText, regionKindName(region.kind)));
-        writer.set("restricted", region.restricted);
-        writer.setPolygon(region.polygon);
-    });
+    return writeItems(
+        writer, data.regions, [](const Region& region) { return region.id.value; },
+        [&](const Region& region) {
+            writer.set("region_id", region.id.value);
+            writer.set("level", std::optional<double>(region.level));
+            writer.set("name", region.name);
+            writer.set("ref", region.ref);
+            writer.set("kind", kindText(region.kind, region.kindText, regionKindName(region.kind)));
+            writer.set("restricted", region.restricted);
+            writer.setPolygon(region.polygon);
+        });
 }
 
 Result<void> writeAccesses(GDALDataset& dataset, const BuildingData& data, const std::string& context) {
     LayerWriter writer(dataset, accessesLayer(), data.crs, context);
-    return writeItems(writer, data.accesses, [](const Access& access) { return access.id.value; },
-                      [&](const Access& access) {
-        writer.set("access_id", access.id.value);
-        writer.set("kind", kindText(access.kind, access.kindText, accessKindName(access.kind)));
-        writer.set("level", std::optional<double>(access.level));
-        writer.set("region_a", access.regionA.value);
-        writer.set("region_b", access.regionB.value);
-        writer.set("shaft", access.shaft.value);
-        writer.set("oneway", std::string(access.oneWay == OneWay::AToB   ? "a_to_b"
-                                         : access.oneWay == OneWay::BToA ? "b_to_a"
-                                                                         : ""));
-        writer.set("door_type", access.doorType);
-        writer.set("automatic", access.automatic);
-        writer.set("width_m", access.widthM);
-        writer.set("steps", access.steps ? std::optional<double>(*access.steps) : std::nullopt);
-        writer.set("closed", access.closed);
-        writer.setLine(access.line);
-    });
+    return writeItems(
+        writer, data.accesses, [](const Access& access) { return access.id.value; },
+        [&](const Access& access) {
+            writer.set("access_id", access.id.value);
+            writer.set("kind", kindText(access.kind, access.kindText, accessKindName(access.kind)));
+            writer.set("level", std::optional<double>(access.level));
+            writer.set("region_a", access.regionA.value);
+            writer.set("region_b", access.regionB.value);
+            writer.set("shaft", access.shaft.value);
+            writer.set("oneway", std::string(access.oneWay == OneWay::AToB   ? "a_to_b"
+                                             : access.oneWay == OneWay::BToA ? "b_to_a"
+                                                                             : ""));
+            writer.set("door_type", access.doorType);
+            writer.set("automatic", access.automatic);
+            writer.set("width_m", access.widthM);
+            writer.set("steps", access.steps ? std::optional<double>(*access.steps) : std::nullopt);
+            writer.set("closed", access.closed);
+            writer.setLine(access.line);
+        });
 }
 
 Result<void> writeLandmarks(GDALDataset& dataset, const BuildingData& data, const std::string& context) {
     LayerWriter writer(dataset, landmarksLayer(), data.crs, context);
-    return writeItems(writer, data.landmarks, [](const Landmark& landmark) { return landmark.id.value; },
-                      [&](const Landmark& landmark) {
-        writer.set("landmark_id", landmark.id.value);
-        writer.set("kind", kindText(landmark.kind, landmark.kindText, std::string(kindName(landmark.kind))));
-        writer.set("template", landmark.templateId.value);
-        writer.set("text", landmark.text);
-        writer.set("region_id", landmark.region.value);
-        writer.set("level", std::optional<double>(landmark.level));
-        writer.set("heading_deg", degreesOf(landmark.heading));
-        writer.set("height_m", landmark.heightM);
-        writer.set("width_m", landmark.widthM);
-        writer.set("tall_m", landmark.tallM);
-        writer.setLine({landmark.position});
-    });
+    return writeItems(
+        writer, data.landmarks, [](const Landmark& landmark) { return landmark.id.value; },
+        [&](const Landmark& landmark) {
+            writer.set("landmark_id", landmark.id.value);
+            writer.set("kind",
+                       kindText(landmark.kind, landmark.kindText, std::string(kindName(landmark.kind))));
+            writer.set("template", landmark.templateId.value);
+            writer.set("text", landmark.text);
+            writer.set("region_id", landmark.region.value);
+            writer.set("level", std::optional<double>(landmark.level));
+            writer.set("heading_deg", degreesOf(landmark.heading));
+            writer.set("height_m", landmark.heightM);
+            writer.set("width_m", landmark.widthM);
+            writer.set("tall_m", landmark.tallM);
+            writer.setLine({landmark.position});
+        });
 }
 
 Result<void> writeWalls(GDALDataset& dataset, const BuildingData& data, const std::string& context) {
     if (data.walls.empty() && dataset.GetLayerByName(wallsLayer().name) == nullptr) return {};
     LayerWriter writer(dataset, wallsLayer(), data.crs, context);
-    return writeItems(writer, data.walls, [](const Wall&) { return std::string(); }, [&](const Wall& wall) {
-        writer.set("level", std::optional<double>(wall.level));
-        writer.setLine(wall.line);
-    });
+    return writeItems(
+        writer, data.walls, [](const Wall&) { return std::string(); },
+        [&](const Wall& wall) {
+            writer.set("level", std::optional<double>(wall.level));
+            writer.setLine(wall.line);
+        });
 }
 
 /// Keys of others (the landmark library keeps its own here) stay.
@@ -145,8 +151,8 @@ Result<void> writeFarol(GDALDataset& dataset, const BuildingData& data, const st
 /// A file of a later Farol may hold what this one would lose.
 Result<void> checkMayWrite(GDALDataset& dataset, const std::string& context) {
     if (dataset.GetDriverName() != std::string("GPKG"))
-        return Error{ErrorCode::UnsupportedFormat, "is another kind of file; save under a name that ends in .gpkg",
-                     context};
+        return Error{ErrorCode::UnsupportedFormat,
+                     "is another kind of file; save under a name that ends in .gpkg", context};
     OGRLayer* farol = dataset.GetLayerByName(farolLayer().name);
     if (farol == nullptr) return {};
     farol->ResetReading();
@@ -156,7 +162,8 @@ Result<void> checkMayWrite(GDALDataset& dataset, const std::string& context) {
         if (key < 0 || value < 0 || std::string(feature->GetFieldAsString(key)) != "schema") continue;
         if (std::atoi(feature->GetFieldAsString(value)) > kSchemaVersion)
             return Error{ErrorCode::UnsupportedFormat,
-                         "the file is of a later Farol; save under another name or use the newer Farol", context};
+                         "the file is of a later Farol; save under another name or use the newer Farol",
+                         context};
     }
     return {};
 }
@@ -192,7 +199,8 @@ Result<void> writeAll(GDALDataset& dataset, const BuildingData& data, const std:
     if (dataset.StartTransaction() != OGRERR_NONE)
         return messages.error(ErrorCode::Io, "cannot begin to write", context);
     using Write = Result<void> (*)(GDALDataset&, const BuildingData&, const std::string&);
-    for (Write write : {&writeLevels, &writeRegions, &writeAccesses, &writeLandmarks, &writeWalls, &writeFarol}) {
+    for (Write write :
+         {&writeLevels, &writeRegions, &writeAccesses, &writeLandmarks, &writeWalls, &writeFarol}) {
         if (auto written = write(dataset, data, context); !written) {
             dataset.RollbackTransaction();
             return written;
@@ -203,11 +211,13 @@ Result<void> writeAll(GDALDataset& dataset, const BuildingData& data, const std:
     return {};
 }
 
-Result<void> fill(const std::filesystem::path& temporary, const BuildingData& data, const std::string& context) {
+Result<void> fill(const std::filesystem::path& temporary, const BuildingData& data,
+                  const std::string& context) {
     GdalMessages quiet; // a dataset given up half-way complains once more when it closes
     std::error_code ignored;
     bool exists = std::filesystem::exists(temporary, ignored);
-    auto opened = exists ? openVector(temporary.string(), OpenMode::Update) : createGeoPackage(temporary.string());
+    auto opened =
+        exists ? openVector(temporary.string(), OpenMode::Update) : createGeoPackage(temporary.string());
     if (!opened) return Error{opened.error().code, opened.error().message, context};
     DatasetPtr dataset = std::move(*opened);
     if (exists)

@@ -67,7 +67,8 @@ Result<Location> locationAt(const Building& building, const std::string& where, 
         if (gap > 0.0) found = i;
     }
     if (!found)
-        return Error{ErrorCode::NotFound, "no region of level " + formatNumber(level) + " holds this point", where};
+        return Error{ErrorCode::NotFound, "no region of level " + formatNumber(level) + " holds this point",
+                     where};
     return Location{building.regions()[*found].id, point};
 }
 
@@ -141,20 +142,22 @@ Result<Location> resolveWhere(const Building& building, const std::string& where
     if (const Region* exact = building.region(RegionId(where))) return Location{exact->id, std::nullopt};
     std::string folded = foldedForMatching(where);
     if (folded.empty())
-        return Error{ErrorCode::InvalidArgument, "a place is empty: give a region's id, name or ref, or x,y,level", ""};
+        return Error{ErrorCode::InvalidArgument,
+                     "a place is empty: give a region's id, name or ref, or x,y,level", ""};
     std::vector<const Region*> matches;
     for (const Region& region : building.regions())
         if (foldedForMatching(region.name) == folded || foldedForMatching(region.ref) == folded)
             matches.push_back(&region);
     for (const Region& region : building.regions())
-        if (matches.empty() && foldedForMatching(region.id.value) == folded) return Location{region.id, std::nullopt};
+        if (matches.empty() && foldedForMatching(region.id.value) == folded)
+            return Location{region.id, std::nullopt};
     if (matches.size() == 1) return Location{matches.front()->id, std::nullopt};
     if (matches.size() > 1) {
         std::vector<std::string> names;
         for (const Region* region : matches)
             names.push_back(region->id.value + " (level " + formatNumber(region->level) + ")");
-        return Error{ErrorCode::Conflict, "several regions are called so: " + listed(names) + "; give one of these ids",
-                     where};
+        return Error{ErrorCode::Conflict,
+                     "several regions are called so: " + listed(names) + "; give one of these ids", where};
     }
     if (auto numbers = threeNumbers(where))
         return locationAt(building, where, {(*numbers)[0], (*numbers)[1]}, (*numbers)[2]);

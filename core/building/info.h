@@ -18,8 +18,8 @@ struct LevelInfo {
 };
 
 struct BuildingInfo {
-    std::size_t regions = 0, accesses = 0, accessesJoined = 0, landmarks = 0, components = 0, largestComponent = 0,
-                unnamedRegions = 0;
+    std::size_t regions = 0, accesses = 0, accessesJoined = 0, landmarks = 0, components = 0,
+                largestComponent = 0, unnamedRegions = 0;
     std::vector<LevelInfo> levels;
     std::map<std::string, std::size_t> landmarkKinds; ///< kind name -> count
     std::string crs;

@@ -23,8 +23,8 @@ std::string keyOf(const OGRFeature& feature, const LayerSpec& spec) {
 std::unique_ptr<OGRSpatialReference> referenceOf(const std::string& crs) {
     if (crs.empty()) return nullptr;
     auto reference = std::make_unique<OGRSpatialReference>();
-    if (reference->SetFromUserInput(crs.c_str(), OGRSpatialReference::SET_FROM_USER_INPUT_LIMITATIONS_get()) !=
-        OGRERR_NONE)
+    if (reference->SetFromUserInput(
+            crs.c_str(), OGRSpatialReference::SET_FROM_USER_INPUT_LIMITATIONS_get()) != OGRERR_NONE)
         return nullptr;
     reference->SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
     return reference;
@@ -39,7 +39,8 @@ void addRing(OGRPolygon& polygon, const Ring& points) {
 
 } // namespace
 
-LayerWriter::LayerWriter(GDALDataset& dataset, const LayerSpec& spec, const std::string& crs, std::string context)
+LayerWriter::LayerWriter(GDALDataset& dataset, const LayerSpec& spec, const std::string& crs,
+                         std::string context)
     : m_dataset(dataset), m_spec(spec), m_crs(crs), m_context(std::move(context) + ", layer " + spec.name) {}
 
 Error LayerWriter::failure(const std::string& action) const {
@@ -49,7 +50,8 @@ Error LayerWriter::failure(const std::string& action) const {
 bool LayerWriter::crsDiffers() const {
     if (m_spec.geometry == wkbNone) return false;
     const OGRSpatialReference* present = m_layer->GetSpatialRef();
-    if (present != nullptr && std::string(present->GetName() ? present->GetName() : "").rfind("Undefined", 0) == 0)
+    if (present != nullptr &&
+        std::string(present->GetName() ? present->GetName() : "").rfind("Undefined", 0) == 0)
         present = nullptr;
     auto wanted = referenceOf(m_crs);
     if (present == nullptr || wanted == nullptr) return (present == nullptr) != (wanted == nullptr);
@@ -60,9 +62,11 @@ bool LayerWriter::crsDiffers() const {
 Result<void> LayerWriter::create() {
     auto reference = referenceOf(m_crs);
     if (reference == nullptr && !m_crs.empty() && m_spec.geometry != wkbNone)
-        return Error{ErrorCode::InvalidArgument, "the map's coordinate reference system cannot be understood", m_context};
+        return Error{ErrorCode::InvalidArgument, "the map's coordinate reference system cannot be understood",
+                     m_context};
     const char* const options[] = {"GEOMETRY_NAME=geom", "FID=fid", nullptr};
-    m_layer = m_dataset.CreateLayer(m_spec.name, reference.get(), m_spec.geometry, const_cast<char**>(options));
+    m_layer =
+        m_dataset.CreateLayer(m_spec.name, reference.get(), m_spec.geometry, const_cast<char**>(options));
     if (m_layer == nullptr) return failure("cannot create the layer");
     return {};
 }
@@ -101,7 +105,8 @@ Result<void> LayerWriter::indexFeatures() {
 Result<void> LayerWriter::addField(const std::string& name, const AttributeValue& value) {
     if (m_layer->GetLayerDefn()->GetFieldIndex(name.c_str()) >= 0) return {};
     // Columns that the GeoPackage itself keeps.
-    if (EQUAL(name.c_str(), m_layer->GetFIDColumn()) || EQUAL(name.c_str(), m_layer->GetGeometryColumn())) return {};
+    if (EQUAL(name.c_str(), m_layer->GetFIDColumn()) || EQUAL(name.c_str(), m_layer->GetGeometryColumn()))
+        return {};
     OGRFieldType type = std::holds_alternative<std::int64_t>(value) ? OFTInteger64
                         : std::holds_alternative<double>(value)     ? OFTReal
                                                                     : OFTString;
@@ -123,25 +128,35 @@ OGRFeature& LayerWriter::begin(const std::string& key) {
 }
 
 void LayerWriter::set(const char* field, const std::string& text) {
-    if (text.empty()) m_feature->SetFieldNull(m_feature->GetFieldIndex(field));
-    else m_feature->SetField(field, text.c_str());
+    if (text.empty())
+        m_feature->SetFieldNull(m_feature->GetFieldIndex(field));
+    else
+        m_feature->SetField(field, text.c_str());
 }
 
 void LayerWriter::set(const char* field, std::optional<double> number) {
-    if (number) m_feature->SetField(field, *number);
-    else m_feature->SetFieldNull(m_feature->GetFieldIndex(field));
+    if (number)
+        m_feature->SetField(field, *number);
+    else
+        m_feature->SetFieldNull(m_feature->GetFieldIndex(field));
 }
 
-void LayerWriter::set(const char* field, bool flag) { m_feature->SetField(field, flag ? 1 : 0); }
+void LayerWriter::set(const char* field, bool flag) {
+    m_feature->SetField(field, flag ? 1 : 0);
+}
 
 void LayerWriter::set(const Attributes& extra) {
     for (const auto& [name, value] : extra) {
         int index = m_feature->GetFieldIndex(name.c_str());
         if (index < 0) continue;
-        if (const auto* whole = std::get_if<std::int64_t>(&value)) m_feature->SetField(index, static_cast<GIntBig>(*whole));
-        else if (const auto* real = std::get_if<double>(&value)) m_feature->SetField(index, *real);
-        else if (const auto* text = std::get_if<std::string>(&value)) m_feature->SetField(index, text->c_str());
-        else m_feature->SetFieldNull(index);
+        if (const auto* whole = std::get_if<std::int64_t>(&value))
+            m_feature->SetField(index, static_cast<GIntBig>(*whole));
+        else if (const auto* real = std::get_if<double>(&value))
+            m_feature->SetField(index, *real);
+        else if (const auto* text = std::get_if<std::string>(&value))
+            m_feature->SetField(index, text->c_str());
+        else
+            m_feature->SetFieldNull(index);
     }
 }
 

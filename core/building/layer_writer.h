@@ -1,6 +1,6 @@
 #pragma once
-// Brings one layer of a GeoPackage to what the building says. Features are found again by their key, not by their
-// number, and only what Farol knows is changed in them: unknown fields of any type stay as they are.
+// Brings one layer of a GeoPackage to what the building says. Features are found again by their key, not by
+// their number, and only what Farol knows is changed in them: unknown fields of any type stay as they are.
 
 #include "core/base/error.h"
 #include "core/base/ogr.h"

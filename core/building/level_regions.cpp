@@ -16,7 +16,9 @@ LevelRegions::LevelRegions(const std::vector<Region>& regions) : m_regions(regio
 }
 
 // Ordinals such as 0.5 compare exactly in thousandths.
-long long LevelRegions::keyOf(double level) { return std::isfinite(level) ? std::llround(std::clamp(level, -1e9, 1e9) * 1000.0) : 0; }
+long long LevelRegions::keyOf(double level) {
+    return std::isfinite(level) ? std::llround(std::clamp(level, -1e9, 1e9) * 1000.0) : 0;
+}
 
 std::vector<std::size_t> LevelRegions::meeting(double level, const Box2& box) const {
     auto floor = m_floors.find(keyOf(level));

@@ -1,7 +1,6 @@
+#include "core/base/text.h"
 #include "core/capture/picture.h"
 #include "core/capture/sources.h"
-
-#include "core/base/text.h"
 
 #include <algorithm>
 #include <vector>
@@ -15,7 +14,8 @@ namespace {
 class FolderSource final : public FrameSource {
 public:
     FolderSource(fs::path folder, std::vector<fs::path> pictures, double framesPerSecond)
-        : m_folder(std::move(folder)), m_pictures(std::move(pictures)),
+        : m_folder(std::move(folder)),
+          m_pictures(std::move(pictures)),
           m_period(framesPerSecond > 0.0 ? 1.0 / framesPerSecond : 1.0) {}
 
     std::optional<Frame> next() override {
@@ -26,12 +26,14 @@ public:
             if (!image) {
                 ++m_skipped;
                 tell(SourceEventKind::FrameSkipped, path.filename().string() + " " + image.error().message +
-                                                        "; skipped (" + std::to_string(m_skipped) + " so far)");
+                                                        "; skipped (" + std::to_string(m_skipped) +
+                                                        " so far)");
                 continue;
             }
             Frame frame;
             frame.index = m_delivered++;
-            // By its place in the folder: a picture that is missing leaves a gap in time, as a dropped frame would.
+            // By its place in the folder: a picture that is missing leaves a gap in time, as a dropped frame
+            // would.
             frame.capturedAt = static_cast<double>(position) * m_period;
             frame.image = std::move(*image);
             frame.name = path.filename().string();
@@ -71,12 +73,15 @@ Result<std::unique_ptr<FrameSource>> openPictures(const fs::path& path, const So
             std::make_unique<FolderSource>(path, std::move(pictures), options.framesPerSecond));
     }
     fs::directory_iterator entries(path, failure);
-    if (failure) return Error{ErrorCode::Io, "the folder cannot be read: " + failure.message(), path.string()};
+    if (failure)
+        return Error{ErrorCode::Io, "the folder cannot be read: " + failure.message(), path.string()};
     for (; !failure && entries != fs::directory_iterator(); entries.increment(failure)) {
         std::error_code ignored;
-        if (hasPictureName(entries->path()) && !entries->is_directory(ignored)) pictures.push_back(entries->path());
+        if (hasPictureName(entries->path()) && !entries->is_directory(ignored))
+            pictures.push_back(entries->path());
     }
-    if (failure) return Error{ErrorCode::Io, "the folder cannot be read: " + failure.message(), path.string()};
+    if (failure)
+        return Error{ErrorCode::Io, "the folder cannot be read: " + failure.message(), path.string()};
     if (pictures.empty())
         return Error{ErrorCode::NotFound, "there are no pictures in this folder (jpg, png, bmp, webp or tif)",
                      path.string()};

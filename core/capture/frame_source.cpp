@@ -18,14 +18,18 @@ Result<void> SourceOptions::check() const {
         return wrong("frames per second must be between 0 (the source's own) and 1000", "framesPerSecond");
     if (openTimeoutMs <= 0) return wrong("the time to wait for a source must be positive", "openTimeoutMs");
     if (readTimeoutMs <= 0) return wrong("the time to wait for a frame must be positive", "readTimeoutMs");
-    if (reconnectDelayMs <= 0) return wrong("the pause before a new try must be positive", "reconnectDelayMs");
-    if (reconnectAttempts < -1) return wrong("the number of tries must be -1 (for ever) or more", "reconnectAttempts");
+    if (reconnectDelayMs <= 0)
+        return wrong("the pause before a new try must be positive", "reconnectDelayMs");
+    if (reconnectAttempts < -1)
+        return wrong("the number of tries must be -1 (for ever) or more", "reconnectAttempts");
     return {};
 }
 
 namespace {
 
-bool startsWith(const std::string& text, const std::string& start) { return text.rfind(start, 0) == 0; }
+bool startsWith(const std::string& text, const std::string& start) {
+    return text.rfind(start, 0) == 0;
+}
 
 bool isAddress(const std::string& source) {
     for (const char* scheme : {"http://", "https://", "rtsp://", "rtsps://", "rtmp://", "udp://", "tcp://"})
@@ -39,14 +43,16 @@ Result<std::unique_ptr<FrameSource>> openSource(const std::string& source, const
     if (auto checked = options.check(); !checked) return checked.error();
     if (source.empty())
         return Error{ErrorCode::InvalidArgument,
-                     "no source was named: give camera:0, a video file, a folder of pictures or an address", "source"};
+                     "no source was named: give camera:0, a video file, a folder of pictures or an address",
+                     "source"};
     if (startsWith(source, "camera:")) return openCamera(source.substr(7), options);
     if (isAddress(source)) return openAddress(source, options);
     std::error_code failure;
     fs::file_status status = fs::status(source, failure);
     if (!fs::exists(status))
         return Error{ErrorCode::NotFound,
-                     "there is no such file or folder (a source is camera:0, a video file, a folder of pictures, or an "
+                     "there is no such file or folder (a source is camera:0, a video file, a folder of "
+                     "pictures, or an "
                      "http or rtsp address)",
                      source};
     if (fs::is_directory(status) || hasPictureName(source)) return openPictures(source, options);

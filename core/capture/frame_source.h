@@ -18,10 +18,10 @@ namespace farol::capture {
 
 /// One picture with its time. `image` is 8-bit BGR and shared: nobody writes into it.
 struct Frame {
-    std::uint64_t index = 0;   ///< counts every frame the source delivered, from 0
-    double capturedAt = 0.0;   ///< seconds since the source's start, by the source's own clock
+    std::uint64_t index = 0; ///< counts every frame the source delivered, from 0
+    double capturedAt = 0.0; ///< seconds since the source's start, by the source's own clock
     cv::Mat image;
-    std::string name;          ///< file name in a folder; empty otherwise
+    std::string name; ///< file name in a folder; empty otherwise
     /// When it entered the program, only to measure its age; core never decides by it.
     std::chrono::steady_clock::time_point arrivedAt;
 
@@ -36,11 +36,12 @@ struct SourceEvent {
 };
 
 struct SourceOptions {
-    double framesPerSecond = 0.0; ///< time between pictures of a folder; 0: 1 a second for folders, the file's own for videos
+    double framesPerSecond =
+        0.0; ///< time between pictures of a folder; 0: 1 a second for folders, the file's own for videos
     int openTimeoutMs = 5000;
     int readTimeoutMs = 5000;
-    int reconnectDelayMs = 1000;  ///< first pause before a lost camera is tried again; doubles up to 8 times
-    int reconnectAttempts = -1;   ///< -1: for ever
+    int reconnectDelayMs = 1000; ///< first pause before a lost camera is tried again; doubles up to 8 times
+    int reconnectAttempts = -1;  ///< -1: for ever
 
     Result<void> check() const;
 };
@@ -50,8 +51,8 @@ class FrameSource {
 public:
     virtual ~FrameSource() = default;
 
-    /// The next frame; empty at the end of the material, or after requestStop(). A picture that cannot be read is
-    /// skipped, counted and told by an event; a lost camera or address is told and tried again.
+    /// The next frame; empty at the end of the material, or after requestStop(). A picture that cannot be
+    /// read is skipped, counted and told by an event; a lost camera or address is told and tried again.
     virtual std::optional<Frame> next() = 0;
     /// A camera or stream goes on without us, so late frames are dropped; files wait.
     virtual bool live() const = 0;
@@ -77,8 +78,8 @@ private:
     std::atomic<bool> m_stop{false};
 };
 
-/// SOURCE of the command line: "camera:0", a video file, a folder of pictures (natural order), an http(s) or rtsp
-/// address. The error names the source and says what was tried.
+/// SOURCE of the command line: "camera:0", a video file, a folder of pictures (natural order), an http(s) or
+/// rtsp address. The error names the source and says what was tried.
 Result<std::unique_ptr<FrameSource>> openSource(const std::string& source, const SourceOptions& options = {});
 
 } // namespace farol::capture

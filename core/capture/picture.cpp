@@ -12,7 +12,8 @@
 namespace farol::capture {
 
 bool hasPictureName(const std::filesystem::path& path) {
-    static constexpr std::array<std::string_view, 7> kEnds{".jpg", ".jpeg", ".png", ".bmp", ".webp", ".tif", ".tiff"};
+    static constexpr std::array<std::string_view, 7> kEnds{".jpg",  ".jpeg", ".png", ".bmp",
+                                                           ".webp", ".tif",  ".tiff"};
     std::string end = path.extension().string();
     std::transform(end.begin(), end.end(), end.begin(),
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
@@ -21,7 +22,8 @@ bool hasPictureName(const std::filesystem::path& path) {
 
 Result<cv::Mat> decodePicture(const std::string& bytes, const std::string& context) {
     Error damaged{ErrorCode::Corrupt, "cannot be read as a picture", context};
-    if (bytes.empty() || bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) return damaged;
+    if (bytes.empty() || bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()))
+        return damaged;
     try {
         // imdecode only reads, but its matrix header wants a mutable pointer.
         cv::Mat buffer(1, static_cast<int>(bytes.size()), CV_8U, const_cast<char*>(bytes.data()));

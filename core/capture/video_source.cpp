@@ -1,6 +1,5 @@
-#include "core/capture/sources.h"
-
 #include "core/base/text.h"
+#include "core/capture/sources.h"
 
 #include <opencv2/core/utils/logger.hpp>
 #include <opencv2/imgproc.hpp>
@@ -39,7 +38,8 @@ double property(const cv::VideoCapture& capture, int id) {
     }
 }
 
-/// A new matrix each time: frames are shared with other threads, so the capture's buffer must not be written again.
+/// A new matrix each time: frames are shared with other threads, so the capture's buffer must not be written
+/// again.
 cv::Mat readFrame(cv::VideoCapture& capture) {
     try {
         cv::Mat image;
@@ -113,7 +113,10 @@ private:
 class LiveSource final : public FrameSource {
 public:
     LiveSource(std::string name, cv::VideoCapture capture, Opener opener, SourceOptions options)
-        : m_name(std::move(name)), m_capture(std::move(capture)), m_opener(std::move(opener)), m_options(options),
+        : m_name(std::move(name)),
+          m_capture(std::move(capture)),
+          m_opener(std::move(opener)),
+          m_options(options),
           m_start(Clock::now()) {
         double fps = property(m_capture, cv::CAP_PROP_FPS);
         // Streams report their time base (90000 or so) where they know no rate.
@@ -146,9 +149,11 @@ private:
         tell(SourceEventKind::ConnectionLost, m_name + " gives no more pictures");
         m_capture.release();
         long long pause = m_options.reconnectDelayMs;
-        for (int attempt = 1; m_options.reconnectAttempts < 0 || attempt <= m_options.reconnectAttempts; ++attempt) {
+        for (int attempt = 1; m_options.reconnectAttempts < 0 || attempt <= m_options.reconnectAttempts;
+             ++attempt) {
             if (!pauseFor(std::chrono::milliseconds(pause))) return false;
-            tell(SourceEventKind::Reconnecting, m_name + " is tried again (attempt " + std::to_string(attempt) + ")");
+            tell(SourceEventKind::Reconnecting,
+                 m_name + " is tried again (attempt " + std::to_string(attempt) + ")");
             if (tryOpen(m_opener, m_capture)) {
                 tell(SourceEventKind::Reconnected, m_name + " is back");
                 return true;
@@ -208,16 +213,18 @@ Result<std::unique_ptr<FrameSource>> openVideoFile(const fs::path& path, const S
         return Error{ErrorCode::UnsupportedFormat,
                      "is neither a picture nor a video that can be opened (tried FFmpeg and GStreamer)",
                      file};
-    return std::unique_ptr<FrameSource>(
-        std::make_unique<VideoFileSource>(path.filename().string(), std::move(capture), options.framesPerSecond));
+    return std::unique_ptr<FrameSource>(std::make_unique<VideoFileSource>(
+        path.filename().string(), std::move(capture), options.framesPerSecond));
 }
 
 Result<std::unique_ptr<FrameSource>> openAddress(const std::string& address, const SourceOptions& options) {
     quietOpenCv();
     // Without these a silent server blocks a read for 30 s; they only count when passed to open() itself.
-    std::vector<int> timeouts{cv::CAP_PROP_OPEN_TIMEOUT_MSEC, options.openTimeoutMs, cv::CAP_PROP_READ_TIMEOUT_MSEC,
-                              options.readTimeoutMs};
-    Opener opener = [address, timeouts](cv::VideoCapture& c) { return c.open(address, cv::CAP_FFMPEG, timeouts); };
+    std::vector<int> timeouts{cv::CAP_PROP_OPEN_TIMEOUT_MSEC, options.openTimeoutMs,
+                              cv::CAP_PROP_READ_TIMEOUT_MSEC, options.readTimeoutMs};
+    Opener opener = [address, timeouts](cv::VideoCapture& c) {
+        return c.open(address, cv::CAP_FFMPEG, timeouts);
+    };
     cv::VideoCapture capture;
     if (!tryOpen(opener, capture))
         return Error{ErrorCode::Unavailable,
@@ -228,10 +235,10 @@ Result<std::unique_ptr<FrameSource>> openAddress(const std::string& address, con
     // A recorded video behind an address knows its length, and its end is an end; a stream has none.
     double count = property(capture, cv::CAP_PROP_FRAME_COUNT);
     if (count >= 1.0)
-        return std::unique_ptr<FrameSource>(
-            std::make_unique<VideoFileSource>(withoutPassword(address), std::move(capture), options.framesPerSecond));
-    return std::unique_ptr<FrameSource>(
-        std::make_unique<LiveSource>(withoutPassword(address), std::move(capture), std::move(opener), options));
+        return std::unique_ptr<FrameSource>(std::make_unique<VideoFileSource>(
+            withoutPassword(address), std::move(capture), options.framesPerSecond));
+    return std::unique_ptr<FrameSource>(std::make_unique<LiveSource>(
+        withoutPassword(address), std::move(capture), std::move(opener), options));
 }
 
 Result<std::unique_ptr<FrameSource>> openCamera(const std::string& device, const SourceOptions& options) {
@@ -240,8 +247,8 @@ Result<std::unique_ptr<FrameSource>> openCamera(const std::string& device, const
                   std::all_of(device.begin(), device.end(), [](char c) { return c >= '0' && c <= '9'; });
     bool path = !device.empty() && device.front() == '/';
     if (!number && !path)
-        return Error{ErrorCode::InvalidArgument, "a camera is named by its number or its device, such as camera:0",
-                     "camera:" + device};
+        return Error{ErrorCode::InvalidArgument,
+                     "a camera is named by its number or its device, such as camera:0", "camera:" + device};
     std::string file = number ? "/dev/video" + device : device;
     Error missing{ErrorCode::Unavailable,
                   "the camera cannot be opened (tried Video4Linux at " + file +

@@ -4,33 +4,54 @@ namespace farol::guidance {
 
 std::string cueKindName(CueKind kind) {
     switch (kind) {
-    case CueKind::RouteStart: return "route_start";
-    case CueKind::Prepare: return "prepare";
-    case CueKind::Act: return "act";
-    case CueKind::Reassure: return "reassure";
-    case CueKind::Arrived: return "arrived";
-    case CueKind::OffRoute: return "off_route";
-    case CueKind::Unsure: return "unsure";
-    case CueKind::Located: return "located";
-    case CueKind::Detection: return "detection";
-    case CueKind::Text: return "text";
-    case CueKind::NoRoute: return "no_route";
-    case CueKind::AlreadyThere: return "already_there";
-    case CueKind::Warning: return "warning";
+    case CueKind::RouteStart:
+        return "route_start";
+    case CueKind::Prepare:
+        return "prepare";
+    case CueKind::Act:
+        return "act";
+    case CueKind::Reassure:
+        return "reassure";
+    case CueKind::Arrived:
+        return "arrived";
+    case CueKind::OffRoute:
+        return "off_route";
+    case CueKind::Unsure:
+        return "unsure";
+    case CueKind::Located:
+        return "located";
+    case CueKind::Detection:
+        return "detection";
+    case CueKind::Text:
+        return "text";
+    case CueKind::NoRoute:
+        return "no_route";
+    case CueKind::AlreadyThere:
+        return "already_there";
+    case CueKind::Warning:
+        return "warning";
     }
     return "unknown";
 }
 
 std::string cueReasonName(CueReason reason) {
     switch (reason) {
-    case CueReason::None: return "none";
-    case CueReason::DestinationUnknown: return "destination_unknown";
-    case CueReason::DestinationUnreachable: return "destination_unreachable";
-    case CueReason::CameraLost: return "camera_lost";
-    case CueReason::CameraBack: return "camera_back";
-    case CueReason::RecordingStopped: return "recording_stopped";
-    case CueReason::PictureCovered: return "picture_covered";
-    case CueReason::FrameSkipped: return "frame_skipped";
+    case CueReason::None:
+        return "none";
+    case CueReason::DestinationUnknown:
+        return "destination_unknown";
+    case CueReason::DestinationUnreachable:
+        return "destination_unreachable";
+    case CueReason::CameraLost:
+        return "camera_lost";
+    case CueReason::CameraBack:
+        return "camera_back";
+    case CueReason::RecordingStopped:
+        return "recording_stopped";
+    case CueReason::PictureCovered:
+        return "picture_covered";
+    case CueReason::FrameSkipped:
+        return "frame_skipped";
     }
     return "unknown";
 }

@@ -12,10 +12,10 @@
 namespace farol::guidance {
 
 enum class CueKind {
-    RouteStart,   ///< a route is planned: destination, length, first manoeuvre
-    Prepare,      ///< a manoeuvre comes soon
-    Act,          ///< do it now
-    Reassure,     ///< keep going
+    RouteStart, ///< a route is planned: destination, length, first manoeuvre
+    Prepare,    ///< a manoeuvre comes soon
+    Act,        ///< do it now
+    Reassure,   ///< keep going
     Arrived,
     OffRoute,     ///< left the route; a new one follows or none exists
     Unsure,       ///< not known where: turn slowly, let me look around
@@ -32,36 +32,44 @@ enum class CuePriority { Warning, ActNow, OffRoute, Prepare, Arrival, Detection,
 
 /// Why a NoRoute or Warning cue came; the Phrasebook has a sentence for each.
 enum class CueReason {
-    None, DestinationUnknown, DestinationUnreachable, CameraLost, CameraBack, RecordingStopped, PictureCovered, FrameSkipped
+    None,
+    DestinationUnknown,
+    DestinationUnreachable,
+    CameraLost,
+    CameraBack,
+    RecordingStopped,
+    PictureCovered,
+    FrameSkipped
 };
 
 struct Cue {
     CueKind kind = CueKind::Reassure;
     CuePriority priority = CuePriority::Reassurance;
-    std::uint64_t id = 0;       ///< rises by one with each cue of a session
-    std::uint64_t frame = 0;    ///< the frame that caused it
-    double time = 0.0;          ///< of that frame
-    double validUntil = 0.0;    ///< same clock; later it is not spoken
-    std::vector<RegionId> validIn; ///< regions in which it still holds; empty: anywhere
+    std::uint64_t id = 0;           ///< rises by one with each cue of a session
+    std::uint64_t frame = 0;        ///< the frame that caused it
+    double time = 0.0;              ///< of that frame
+    double validUntil = 0.0;        ///< same clock; later it is not spoken
+    std::vector<RegionId> validIn;  ///< regions in which it still holds; empty: anywhere
     std::uint64_t routeVersion = 0; ///< a newer route makes route cues void; 0: not tied to a route
 
     std::optional<routing::Manoeuvre> manoeuvre; ///< of RouteStart (the first), Prepare, Act
     std::optional<routing::Manoeuvre> next;      ///< to be told in the same breath
-    std::optional<int> hour;          ///< clock hour to the next access; only when the heading is trusted
-    /// Where a way begins behind or beside the user: how far to turn first, left positive. Only when a trained place
-    /// has just told which way the user faces; `hour` is then empty, for it would no longer hold after the turn.
+    std::optional<int> hour; ///< clock hour to the next access; only when the heading is trusted
+    /// Where a way begins behind or beside the user: how far to turn first, left positive. Only when a
+    /// trained place has just told which way the user faces; `hour` is then empty, for it would no longer
+    /// hold after the turn.
     std::optional<Radians> turnFirst;
-    std::optional<double> distanceM;  ///< only when the position allows to say it
-    RegionId region;                  ///< RouteStart, Arrived: destination; Located: where; others: region ahead
-    std::string regionName;           ///< spoken name of `region`
-    std::string intoName;             ///< spoken name of the region that the manoeuvre leads into
-    std::string levelName;            ///< spoken name of the target level of stairs and lifts
-    bool sure = true;                 ///< false: hedge the words
-    Kind objectKind = Kind::Other;    ///< Detection
-    Zone zone;                        ///< Detection, Text
-    std::string text;                 ///< Text: what was read; Detection: the landmark's text, if any
+    std::optional<double> distanceM; ///< only when the position allows to say it
+    RegionId region;               ///< RouteStart, Arrived: destination; Located: where; others: region ahead
+    std::string regionName;        ///< spoken name of `region`
+    std::string intoName;          ///< spoken name of the region that the manoeuvre leads into
+    std::string levelName;         ///< spoken name of the target level of stairs and lifts
+    bool sure = true;              ///< false: hedge the words
+    Kind objectKind = Kind::Other; ///< Detection
+    Zone zone;                     ///< Detection, Text
+    std::string text;              ///< Text: what was read; Detection: the landmark's text, if any
     CueReason reason = CueReason::None;
-    std::string detail;               ///< of `reason`, for the log; not spoken
+    std::string detail; ///< of `reason`, for the log; not spoken
 };
 
 std::string cueKindName(CueKind kind);

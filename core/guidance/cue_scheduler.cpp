@@ -19,7 +19,8 @@ Result<void> GuidanceOptions::check() const {
     if (!isPositive(reassureEveryM)) return wrong("must be above 0 metres", "reassureEveryM");
     if (!isPositive(maxSigmaForActM)) return wrong("must be above 0 metres", "maxSigmaForActM");
     if (!isPositive(maxSigmaForDistanceM)) return wrong("must be above 0 metres", "maxSigmaForDistanceM");
-    if (!(sureConfidence >= 0.0 && sureConfidence <= 1.0)) return wrong("must be from 0 to 1", "sureConfidence");
+    if (!(sureConfidence >= 0.0 && sureConfidence <= 1.0))
+        return wrong("must be from 0 to 1", "sureConfidence");
     for (double seconds : {reassureEverySeconds, repeatAfterSeconds, objectRepeatSeconds, unsureAfterSeconds,
                            unsureRepeatSeconds, offRouteRepeatSeconds}) {
         if (!isPositive(seconds)) return wrong("every time is above 0 seconds", "times");
@@ -34,7 +35,8 @@ CueScheduler::~CueScheduler() = default;
 CueScheduler::CueScheduler(CueScheduler&&) noexcept = default;
 CueScheduler& CueScheduler::operator=(CueScheduler&&) noexcept = default;
 
-std::vector<Cue> CueScheduler::update(std::uint64_t frame, const localisation::Fix& fix, const Progress& progress,
+std::vector<Cue> CueScheduler::update(std::uint64_t frame, const localisation::Fix& fix,
+                                      const Progress& progress,
                                       const std::vector<localisation::Observation>& fresh) {
     CueStep step{*m_building, m_options, *m_memory, frame, fix, progress};
     step.tellRoute();
@@ -42,7 +44,8 @@ std::vector<Cue> CueScheduler::update(std::uint64_t frame, const localisation::F
     step.tellRegion();
     step.tellObjects(fresh);
     std::vector<Cue> cues = step.takeCues();
-    std::stable_sort(cues.begin(), cues.end(), [](const Cue& a, const Cue& b) { return a.priority < b.priority; });
+    std::stable_sort(cues.begin(), cues.end(),
+                     [](const Cue& a, const Cue& b) { return a.priority < b.priority; });
     for (Cue& cue : cues) cue.id = ++m_memory->lastId;
     return cues;
 }

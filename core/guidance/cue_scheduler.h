@@ -18,23 +18,25 @@ struct GuidanceOptions {
     double prepareDistanceM = 6.0;
     double actDistanceM = 2.0;
     double reassureEveryM = 10.0;
-    double reassureEverySeconds = 15.0;  ///< where no distance is known
-    double repeatAfterSeconds = 15.0;    ///< the same action is not told again sooner
+    double reassureEverySeconds = 15.0; ///< where no distance is known
+    double repeatAfterSeconds = 15.0;   ///< the same action is not told again sooner
     double objectRepeatSeconds = 20.0;
-    double unsureAfterSeconds = 8.0;     ///< without a usable fix
+    double unsureAfterSeconds = 8.0; ///< without a usable fix
     double unsureRepeatSeconds = 15.0;
     double offRouteRepeatSeconds = 10.0;
-    double sureConfidence = 0.5;         ///< below: hedged words
-    double maxSigmaForActM = 1.6;        ///< an order to act needs a position this good (a place, not an object seen from afar)
-    double maxSigmaForDistanceM = 2.0;   ///< a distance is told only when the position is that good
+    double sureConfidence = 0.5; ///< below: hedged words
+    double maxSigmaForActM =
+        1.6; ///< an order to act needs a position this good (a place, not an object seen from afar)
+    double maxSigmaForDistanceM = 2.0; ///< a distance is told only when the position is that good
 
     Result<void> check() const;
 };
 
 struct SchedulerMemory;
 
-/// Deterministic; time comes from the frames. One thread. How a turn goes comes from the route's geometry, never from
-/// the estimated heading. Without a position a manoeuvre is announced once, on entering the region that it leaves.
+/// Deterministic; time comes from the frames. One thread. How a turn goes comes from the route's geometry,
+/// never from the estimated heading. Without a position a manoeuvre is announced once, on entering the region
+/// that it leaves.
 class CueScheduler {
 public:
     CueScheduler(std::shared_ptr<const building::Building> building, GuidanceOptions options = {});

@@ -23,7 +23,8 @@ constexpr double kFreshSeconds = 2.0;
 constexpr double kActAfterPrepareSeconds = 3.0;
 /// What follows within this distance is told in the same breath.
 constexpr double kCompoundM = 4.0;
-/// The length of the way is told although the spot in the start region is unknown once it is longer than this.
+/// The length of the way is told although the spot in the start region is unknown once it is longer than
+/// this.
 constexpr double kLongWayM = 20.0;
 /// "Move forward" needs something seen within this time.
 constexpr double kReassureEvidenceSeconds = 10.0;
@@ -41,10 +42,12 @@ constexpr double kFacingM = 1.0;
 constexpr Radians kTurnFirst = fromDegrees(60.0);
 
 bool changesLevel(ManoeuvreKind kind) {
-    return kind == ManoeuvreKind::Stairs || kind == ManoeuvreKind::Elevator || kind == ManoeuvreKind::Escalator;
+    return kind == ManoeuvreKind::Stairs || kind == ManoeuvreKind::Elevator ||
+           kind == ManoeuvreKind::Escalator;
 }
 
-/// The manoeuvre to tell together with the one before it. After stairs and lifts one has to find one's bearings first.
+/// The manoeuvre to tell together with the one before it. After stairs and lifts one has to find one's
+/// bearings first.
 std::optional<Manoeuvre> inTheSameBreath(const Manoeuvre& first, const std::optional<Manoeuvre>& second) {
     if (!second || changesLevel(first.kind) || second->kind == ManoeuvreKind::Start) return std::nullopt;
     return second->atM - first.atM <= kCompoundM ? second : std::nullopt;
@@ -54,7 +57,12 @@ std::optional<Manoeuvre> inTheSameBreath(const Manoeuvre& first, const std::opti
 
 CueStep::CueStep(const building::Building& building, const GuidanceOptions& options, SchedulerMemory& memory,
                  std::uint64_t frame, const localisation::Fix& fix, const Progress& progress)
-    : m_building(building), m_options(options), m_memory(memory), m_frame(frame), m_fix(fix), m_progress(progress) {
+    : m_building(building),
+      m_options(options),
+      m_memory(memory),
+      m_frame(frame),
+      m_fix(fix),
+      m_progress(progress) {
     m_usable = fix.region.has_value() && fix.confidence >= kUsableConfidence;
     m_sure = m_usable && fix.confidence >= options.sureConfidence;
 }
@@ -105,18 +113,19 @@ std::string CueStep::keyOf(const Manoeuvre& manoeuvre) const {
            formatNumber(manoeuvre.atM);
 }
 
-bool CueStep::toldRecently(const std::map<std::string, double>& times, const std::string& key, double seconds) const {
+bool CueStep::toldRecently(const std::map<std::string, double>& times, const std::string& key,
+                           double seconds) const {
     auto found = times.find(key);
     return found != times.end() && m_fix.time - found->second < seconds;
 }
 
 bool CueStep::distanceIsGood() const {
-    return m_sure && m_progress.distanceM && std::hypot(m_fix.sigmaM, kWalkingSpeed * age()) <=
-                                                 m_options.maxSigmaForDistanceM;
+    return m_sure && m_progress.distanceM &&
+           std::hypot(m_fix.sigmaM, kWalkingSpeed * age()) <= m_options.maxSigmaForDistanceM;
 }
 
-/// Only from a measured way of walking, while the user follows the route, and only when what is ahead is far enough
-/// away for its direction to mean something.
+/// Only from a measured way of walking, while the user follows the route, and only when what is ahead is far
+/// enough away for its direction to mean something.
 std::optional<int> CueStep::hourTo(const Manoeuvre& manoeuvre) const {
     bool along = m_memory.advance && m_memory.advance->along;
     if (!m_sure || !along || !m_fix.heading || !m_fix.position || age() > kFreshSeconds) return std::nullopt;
@@ -126,10 +135,11 @@ std::optional<int> CueStep::hourTo(const Manoeuvre& manoeuvre) const {
     return clockHour(directionOf(ahead) - *m_fix.heading);
 }
 
-/// How far the user has to turn to face the way that begins here. Only a trained place tells which way one faces; the
-/// way of walking from two rough positions is no ground for such an order.
+/// How far the user has to turn to face the way that begins here. Only a trained place tells which way one
+/// faces; the way of walking from two rough positions is no ground for such an order.
 std::optional<Radians> CueStep::turnFirst() const {
-    if (!m_usable || !m_fix.heading || !m_fix.position || age() > kFreshSeconds || !m_progress.route) return std::nullopt;
+    if (!m_usable || !m_fix.heading || !m_fix.position || age() > kFreshSeconds || !m_progress.route)
+        return std::nullopt;
     const building::Landmark* seen = m_building.landmark(m_fix.landmark);
     if (seen == nullptr || seen->kind != Kind::Place) return std::nullopt;
     const std::vector<routing::PathPoint>& path = m_progress.route->path;
@@ -179,16 +189,23 @@ void CueStep::tellRoute() {
     }
     switch (m_progress.travel) {
     case Travel::NoDestination:
-    case Travel::NoFix: break;
+    case Travel::NoFix:
+        break;
     case Travel::Unreachable:
         if (newRoute) tellRefusal();
         break;
-    case Travel::Arrived: tellArrival(); break;
-    case Travel::OffRoute: tellOffRoute(); break;
+    case Travel::Arrived:
+        tellArrival();
+        break;
+    case Travel::OffRoute:
+        tellOffRoute();
+        break;
     case Travel::OnRoute:
         followAdvance();
-        if (newRoute) tellStart();
-        else tellManoeuvre();
+        if (newRoute)
+            tellStart();
+        else
+            tellManoeuvre();
         break;
     }
 }
@@ -209,7 +226,8 @@ void CueStep::tellArrival() {
     m_memory.regionIndex = m_progress.regionsPassed;
     if (m_memory.arrivedToldAt && m_fix.time - *m_memory.arrivedToldAt < m_options.repeatAfterSeconds) return;
     m_memory.arrivedToldAt = m_fix.time;
-    Cue cue = routeCue(there ? CueKind::AlreadyThere : CueKind::Arrived, CuePriority::Arrival, kArrivalSeconds);
+    Cue cue =
+        routeCue(there ? CueKind::AlreadyThere : CueKind::Arrived, CuePriority::Arrival, kArrivalSeconds);
     nameRegion(cue, m_progress.destination);
     cue.validIn = {m_progress.destination};
     add(std::move(cue));
@@ -223,22 +241,26 @@ void CueStep::tellStart() {
     double length = m_progress.route->lengthM;
     if (m_fix.position || length >= kLongWayM) cue.distanceM = length;
     cue.turnFirst = turnFirst();
-    if (m_progress.next) addManoeuvre(std::move(cue), *m_progress.next, m_progress.afterNext);
-    else add(std::move(cue));
+    if (m_progress.next)
+        addManoeuvre(std::move(cue), *m_progress.next, m_progress.afterNext);
+    else
+        add(std::move(cue));
 }
 
 void CueStep::tellOffRoute() {
     m_memory.regionIndex = m_progress.regionsPassed;
     m_memory.enteredAt = m_fix.time;
-    bool toldNow = m_memory.offRouteToldAt &&
-                   m_fix.time - *m_memory.offRouteToldAt < m_options.offRouteRepeatSeconds;
+    bool toldNow =
+        m_memory.offRouteToldAt && m_fix.time - *m_memory.offRouteToldAt < m_options.offRouteRepeatSeconds;
     // The new way has to be told in any case; that the old one was left, not again and again.
     Cue cue = toldNow ? routeCue(CueKind::Prepare, CuePriority::Prepare, kPrepareSeconds)
                       : routeCue(CueKind::OffRoute, CuePriority::OffRoute, kOffRouteSeconds);
     if (!toldNow) m_memory.offRouteToldAt = m_fix.time;
     cue.turnFirst = turnFirst();
-    if (m_progress.next) addManoeuvre(std::move(cue), *m_progress.next, m_progress.afterNext);
-    else if (!toldNow) add(std::move(cue));
+    if (m_progress.next)
+        addManoeuvre(std::move(cue), *m_progress.next, m_progress.afterNext);
+    else if (!toldNow)
+        add(std::move(cue));
 }
 
 /// Is the user getting nearer to the destination from one observation to the next?
@@ -249,7 +271,8 @@ void CueStep::followAdvance() {
     }
     double remaining = *m_progress.remainingM;
     std::optional<SchedulerMemory::Advance>& last = m_memory.advance;
-    if (!last) last = {m_fix.evidenceTime, remaining, false};
+    if (!last)
+        last = {m_fix.evidenceTime, remaining, false};
     else if (last->evidenceTime != m_fix.evidenceTime) {
         last = {m_fix.evidenceTime, remaining, last->remainingM - remaining >= kAdvanceM};
     }
@@ -273,7 +296,8 @@ void CueStep::tellManoeuvre() {
     std::string key = keyOf(next);
     bool isTold = m_memory.told.contains(key);
     bool near = measured <= m_options.actDistanceM && age() <= kFreshSeconds;
-    // An object can be recognised from several metres away: its place on the map is not where the user stands.
+    // An object can be recognised from several metres away: its place on the map is not where the user
+    // stands.
     if (near && m_fix.sigmaM <= m_options.maxSigmaForActM) {
         bool holdBack = toldRecently(m_memory.told, key, kActAfterPrepareSeconds) ||
                         toldRecently(m_memory.acted, key, m_options.repeatAfterSeconds);
@@ -304,7 +328,8 @@ std::optional<double> CueStep::legLength(const Manoeuvre& manoeuvre) const {
     return manoeuvre.atM - *entry;
 }
 
-/// Only the region is known: the manoeuvre is told on entering it, and again when it should have been reached.
+/// Only the region is known: the manoeuvre is told on entering it, and again when it should have been
+/// reached.
 void CueStep::tellUnmeasured(const Manoeuvre& next) {
     double walked = kWalkingSpeed * (m_fix.time - m_memory.enteredAt);
     const Manoeuvre* due = &next;
@@ -374,7 +399,8 @@ void CueStep::tellRegion() {
     if (!m_usable) return;
     const RegionId& region = *m_fix.region;
     SchedulerMemory::Candidate& candidate = m_memory.candidate;
-    if (candidate.region != region) candidate = {region, m_fix.evidenceTime, 1};
+    if (candidate.region != region)
+        candidate = {region, m_fix.evidenceTime, 1};
     else if (candidate.evidenceTime != m_fix.evidenceTime) {
         candidate.evidenceTime = m_fix.evidenceTime;
         ++candidate.fixes;
@@ -408,7 +434,8 @@ void CueStep::tellObjects(const std::vector<localisation::Observation>& fresh) {
     for (const localisation::Observation& observation : fresh) {
         const recognition::Detection& seen = observation.detection;
         bool isText = seen.kind == Kind::Text;
-        if (seen.kind == Kind::Place || (isText && m_options.verbosity != Verbosity::ObjectsAndTexts)) continue;
+        if (seen.kind == Kind::Place || (isText && m_options.verbosity != Verbosity::ObjectsAndTexts))
+            continue;
         if (isText && seen.text.empty()) continue;
         std::string key(kindName(seen.kind));
         key += " " + seen.templateId.value + " " + foldedForMatching(seen.text);

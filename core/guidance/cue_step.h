@@ -17,20 +17,27 @@ struct SchedulerMemory {
     std::uint64_t version = 0;
     std::optional<std::size_t> regionIndex;
     double enteredAt = 0.0;
-    std::map<std::string, double> told;          ///< manoeuvre -> when, as main or second part of a cue
-    std::map<std::string, double> acted;         ///< manoeuvre -> when it was told to be done now
-    std::optional<double> routeToldAt;           ///< any cue of the route
-    std::optional<double> remainingWhenTold;     ///< metres to the destination then
+    std::map<std::string, double> told;      ///< manoeuvre -> when, as main or second part of a cue
+    std::map<std::string, double> acted;     ///< manoeuvre -> when it was told to be done now
+    std::optional<double> routeToldAt;       ///< any cue of the route
+    std::optional<double> remainingWhenTold; ///< metres to the destination then
     std::optional<double> arrivedToldAt;
-    struct Advance { double evidenceTime = 0.0, remainingM = 0.0; bool along = false; };
+    struct Advance {
+        double evidenceTime = 0.0, remainingM = 0.0;
+        bool along = false;
+    };
     std::optional<Advance> advance;
 
-    std::map<RegionId, double> announcedInto;    ///< regions named as what comes next -> when
+    std::map<RegionId, double> announcedInto; ///< regions named as what comes next -> when
     std::optional<double> offRouteToldAt;
     std::optional<double> unusableSince, unsureToldAt;
-    std::optional<RegionId> located;             ///< the last region told, or told to come next
+    std::optional<RegionId> located; ///< the last region told, or told to come next
     std::map<RegionId, double> locatedAt;
-    struct Candidate { RegionId region; double evidenceTime = 0.0; int fixes = 0; };
+    struct Candidate {
+        RegionId region;
+        double evidenceTime = 0.0;
+        int fixes = 0;
+    };
     Candidate candidate;
     std::map<std::string, double> objectsToldAt;
 };
@@ -57,7 +64,8 @@ private:
     void followAdvance();
     Cue cueOf(CueKind kind, CuePriority priority, double seconds) const;
     Cue routeCue(CueKind kind, CuePriority priority, double seconds) const;
-    void addManoeuvre(Cue cue, const routing::Manoeuvre& manoeuvre, const std::optional<routing::Manoeuvre>& after);
+    void addManoeuvre(Cue cue, const routing::Manoeuvre& manoeuvre,
+                      const std::optional<routing::Manoeuvre>& after);
     void add(Cue cue);
     void nameRegion(Cue& cue, const RegionId& region) const;
     std::string levelName(double ordinal, bool asOnButtons) const;
@@ -65,7 +73,8 @@ private:
     std::optional<Radians> turnFirst() const;
     std::optional<int> hourTo(const routing::Manoeuvre& manoeuvre) const;
     std::string keyOf(const routing::Manoeuvre& manoeuvre) const;
-    bool toldRecently(const std::map<std::string, double>& times, const std::string& key, double seconds) const;
+    bool toldRecently(const std::map<std::string, double>& times, const std::string& key,
+                      double seconds) const;
     double age() const { return m_fix.time - m_fix.evidenceTime; }
     bool distanceIsGood() const;
 

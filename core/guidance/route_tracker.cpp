@@ -49,12 +49,18 @@ double distanceToEnd(const std::vector<PathPoint>& path, std::size_t first, std:
 
 std::string travelName(Travel travel) {
     switch (travel) {
-    case Travel::NoDestination: return "no_destination";
-    case Travel::NoFix: return "no_fix";
-    case Travel::OnRoute: return "on_route";
-    case Travel::OffRoute: return "off_route";
-    case Travel::Arrived: return "arrived";
-    case Travel::Unreachable: return "unreachable";
+    case Travel::NoDestination:
+        return "no_destination";
+    case Travel::NoFix:
+        return "no_fix";
+    case Travel::OnRoute:
+        return "on_route";
+    case Travel::OffRoute:
+        return "off_route";
+    case Travel::Arrived:
+        return "arrived";
+    case Travel::Unreachable:
+        return "unreachable";
     }
     return "unknown";
 }
@@ -101,7 +107,8 @@ Progress RouteTracker::update(const Fix& fix) {
         refuse("the destination " + m_destination->region.value + " is not in the map");
         return m_progress;
     }
-    bool usable = fix.region && m_building->regionIndex(*fix.region) && fix.confidence >= m_options.minConfidence;
+    bool usable =
+        fix.region && m_building->regionIndex(*fix.region) && fix.confidence >= m_options.minConfidence;
     if (!usable) {
         // What is planned stays planned; where on it the user is, is not known now.
         if (m_progress.travel != Travel::Unreachable && m_progress.travel != Travel::Arrived) {
@@ -109,8 +116,10 @@ Progress RouteTracker::update(const Fix& fix) {
         }
         return m_progress;
     }
-    if (m_progress.route) follow(fix);
-    else if (m_refusedFrom != fix.region) plan(fix);
+    if (m_progress.route)
+        follow(fix);
+    else if (m_refusedFrom != fix.region)
+        plan(fix);
     describeNext(fix);
     return m_progress;
 }
@@ -133,7 +142,8 @@ void RouteTracker::follow(const Fix& fix) {
     std::optional<std::size_t> index = onRoute(*fix.region);
     bool jumps = index && (*index > m_progress.regionsPassed + 1 || *index + 1 < m_progress.regionsPassed);
     // "Arrived" has to be true: one doubtful sight behind the last door is not enough.
-    bool arrives = index && *index + 1 == m_progress.route->regions.size() && *index != m_progress.regionsPassed;
+    bool arrives =
+        index && *index + 1 == m_progress.route->regions.size() && *index != m_progress.regionsPassed;
     if ((!index || jumps || arrives) && !believed(fix)) {
         if (m_progress.travel != Travel::Arrived) m_progress.travel = Travel::OnRoute;
     } else if (!index) {
@@ -143,7 +153,8 @@ void RouteTracker::follow(const Fix& fix) {
     } else {
         settle();
         m_progress.regionsPassed = *index;
-        m_progress.travel = *index + 1 == m_progress.route->regions.size() ? Travel::Arrived : Travel::OnRoute;
+        m_progress.travel =
+            *index + 1 == m_progress.route->regions.size() ? Travel::Arrived : Travel::OnRoute;
     }
 }
 
@@ -199,7 +210,8 @@ void RouteTracker::assignManoeuvres() {
     for (std::size_t i = 0; i < route.manoeuvres.size(); ++i) {
         const AccessId& access = route.manoeuvres[i].access;
         if (!access.empty()) {
-            auto from = route.accesses.begin() + static_cast<std::ptrdiff_t>(std::min(region, route.accesses.size()));
+            auto from =
+                route.accesses.begin() + static_cast<std::ptrdiff_t>(std::min(region, route.accesses.size()));
             auto found = std::find(from, route.accesses.end(), access);
             if (found == route.accesses.end()) continue;
             region = static_cast<std::size_t>(found - route.accesses.begin());
@@ -219,7 +231,8 @@ std::optional<double> RouteTracker::walkedM(const Fix& fix, std::size_t exit) co
         if (route.manoeuvres[i].access.empty()) continue;
         entry = vertexOf(route, route.manoeuvres[i], entry);
     }
-    std::size_t end = leaves.kind == ManoeuvreKind::Arrive ? route.path.size() - 1 : vertexOf(route, leaves, entry);
+    std::size_t end =
+        leaves.kind == ManoeuvreKind::Arrive ? route.path.size() - 1 : vertexOf(route, leaves, entry);
     // Behind stairs and lifts the path goes on at the next vertex, on the level of the exit.
     while (entry < end && route.path[entry].level != leaves.level) ++entry;
     return leaves.atM - distanceToEnd(route.path, entry, end, *fix.position);
@@ -235,7 +248,8 @@ void RouteTracker::describeNext(const Fix& fix) {
     std::optional<std::size_t> first, exit;
     for (std::size_t i = 0; i < manoeuvres.size(); ++i) {
         std::optional<std::size_t> region = m_regionOf[i];
-        if (manoeuvres[i].kind == ManoeuvreKind::Start || !region || *region < m_progress.regionsPassed) continue;
+        if (manoeuvres[i].kind == ManoeuvreKind::Start || !region || *region < m_progress.regionsPassed)
+            continue;
         if (!first) first = i;
         if (manoeuvres[i].kind == ManoeuvreKind::Turn) continue;
         exit = i;
@@ -259,7 +273,8 @@ localisation::RouteContext RouteTracker::context() const {
     if (route == nullptr) return context;
     auto current = route->regions.begin() + static_cast<std::ptrdiff_t>(m_progress.regionsPassed);
     context.regions.assign(current, route->regions.end());
-    if (const building::Region* region = m_building->region(context.regions.front())) context.level = region->level;
+    if (const building::Region* region = m_building->region(context.regions.front()))
+        context.level = region->level;
     if (m_progress.regionsPassed < route->accesses.size()) {
         const AccessId& id = route->accesses[m_progress.regionsPassed];
         for (const Manoeuvre& manoeuvre : route->manoeuvres) {

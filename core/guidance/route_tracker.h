@@ -11,23 +11,23 @@ enum class Travel { NoDestination, NoFix, OnRoute, OffRoute, Arrived, Unreachabl
 
 struct Progress {
     Travel travel = Travel::NoDestination;
-    RegionId destination;                    ///< empty without one
-    std::uint64_t routeVersion = 0;          ///< rises with every plan
+    RegionId destination;           ///< empty without one
+    std::uint64_t routeVersion = 0; ///< rises with every plan
     std::shared_ptr<const routing::Route> route;
-    std::size_t regionsPassed = 0;           ///< index into route->regions of the current region
-    std::optional<routing::Manoeuvre> next;  ///< the next thing to do
+    std::size_t regionsPassed = 0;          ///< index into route->regions of the current region
+    std::optional<routing::Manoeuvre> next; ///< the next thing to do
     std::optional<routing::Manoeuvre> afterNext;
-    std::optional<double> distanceM;         ///< to it; only with a position
-    std::optional<double> remainingM;        ///< to the destination; only with a position
-    bool replanned = false;                  ///< in this very step, because the route was left
-    std::string reason;                      ///< why there is no route
+    std::optional<double> distanceM;  ///< to it; only with a position
+    std::optional<double> remainingM; ///< to the destination; only with a position
+    bool replanned = false;           ///< in this very step, because the route was left
+    std::string reason;               ///< why there is no route
 };
 
 std::string travelName(Travel travel);
 
 struct TrackerOptions {
-    /// A fix off the route, one that jumps over regions of it, or one in the destination is believed once it came this
-    /// often in a row (each time from a new observation), or at this confidence at once.
+    /// A fix off the route, one that jumps over regions of it, or one in the destination is believed once it
+    /// came this often in a row (each time from a new observation), or at this confidence at once.
     int offRouteFixes = 2;
     double offRouteConfidence = 0.6;
     double minConfidence = 0.0; ///< fixes below change nothing
@@ -35,11 +35,12 @@ struct TrackerOptions {
     Result<void> check() const;
 };
 
-/// Plans when destination and region are known, and again when off route; no state of an old route is left over.
+/// Plans when destination and region are known, and again when off route; no state of an old route is left
+/// over.
 class RouteTracker {
 public:
-    RouteTracker(std::shared_ptr<const building::Building> building, std::shared_ptr<const routing::Planner> planner,
-                 TrackerOptions options = {});
+    RouteTracker(std::shared_ptr<const building::Building> building,
+                 std::shared_ptr<const routing::Planner> planner, TrackerOptions options = {});
 
     void setDestination(const std::optional<building::Location>& destination);
     const std::optional<building::Location>& destination() const { return m_destination; }
@@ -65,9 +66,9 @@ private:
     std::optional<building::Location> m_destination;
     Progress m_progress;
     std::vector<std::optional<std::size_t>> m_regionOf; ///< of each manoeuvre: index into route->regions
-    int m_doubtfulFixes = 0;               ///< in a row, off the route or jumping along it
-    std::optional<double> m_doubtCounted;  ///< evidenceTime of the last of them
-    std::optional<RegionId> m_refusedFrom; ///< planning from there failed
+    int m_doubtfulFixes = 0;                            ///< in a row, off the route or jumping along it
+    std::optional<double> m_doubtCounted;               ///< evidenceTime of the last of them
+    std::optional<RegionId> m_refusedFrom;              ///< planning from there failed
 };
 
 } // namespace farol::guidance

@@ -8,7 +8,9 @@ namespace farol::localisation {
 
 namespace {
 
-bool knownByWords(Kind kind) { return kind == Kind::Text || kind == Kind::Sign; }
+bool knownByWords(Kind kind) {
+    return kind == Kind::Text || kind == Kind::Sign;
+}
 
 bool sameText(const std::string& a, const std::string& b, int tolerance) {
     if (a == b) return true;
@@ -31,7 +33,8 @@ Identity identityOf(const building::Landmark& landmark) {
 bool sameThing(const Identity& a, const Identity& b, int textTolerance) {
     if (!a.templateId.empty() && !b.templateId.empty()) return a.templateId == b.templateId;
     if (a.kind == Kind::Place || b.kind == Kind::Place) return false;
-    // The reader answers "text" whatever the words stand on: a door plate or a sign in the map is meant as well.
+    // The reader answers "text" whatever the words stand on: a door plate or a sign in the map is meant as
+    // well.
     bool read = a.kind == Kind::Text || b.kind == Kind::Text;
     if (read && !a.text.empty() && !b.text.empty()) return sameText(a.text, b.text, textTolerance);
     if (a.kind != b.kind) return false;

@@ -18,9 +18,9 @@ struct Identity {
 Identity identityOf(const recognition::Detection& detection);
 Identity identityOf(const building::Landmark& landmark);
 
-/// By trained template when both have one; a place by template only; by the text when one of them was read from the
-/// picture or is known by its words (kinds text and sign); else by kind. `textTolerance` is the edit distance at which
-/// texts are still the same; it never lets a text match that is not longer than it.
+/// By trained template when both have one; a place by template only; by the text when one of them was read
+/// from the picture or is known by its words (kinds text and sign); else by kind. `textTolerance` is the edit
+/// distance at which texts are still the same; it never lets a text match that is not longer than it.
 bool sameThing(const Identity& a, const Identity& b, int textTolerance = 0);
 
 } // namespace farol::localisation

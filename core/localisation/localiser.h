@@ -22,30 +22,31 @@ struct RegionVote {
     std::vector<LandmarkId> evidence; ///< landmarks that match history objects
 };
 
-/// `confidence` is 0 to 1. Of VotingLocaliser it is the margin over the runner-up, not a probability: words must be
-/// hedged accordingly. `region` empty: not known.
+/// `confidence` is 0 to 1. Of VotingLocaliser it is the margin over the runner-up, not a probability: words
+/// must be hedged accordingly. `region` empty: not known.
 struct Fix {
     double time = 0.0;
-    double evidenceTime = 0.0;       ///< of the last observation it rests on, or of the start
+    double evidenceTime = 0.0; ///< of the last observation it rests on, or of the start
     std::optional<RegionId> region;
     double confidence = 0.0;
-    std::vector<RegionId> near;      ///< region and neighbours that could be it
+    std::vector<RegionId> near; ///< region and neighbours that could be it
     double nearConfidence = 0.0;
     std::optional<double> level;
-    std::optional<Point2> position;  ///< of the matched object, metres
-    double sigmaM = 0.0;             ///< standard deviation of `position`; 0 when there is none
-    /// The way the user faces: the camera's own where a trained place was recognised, else the way of walking from the
-    /// last two positions.
+    std::optional<Point2> position; ///< of the matched object, metres
+    double sigmaM = 0.0;            ///< standard deviation of `position`; 0 when there is none
+    /// The way the user faces: the camera's own where a trained place was recognised, else the way of walking
+    /// from the last two positions.
     std::optional<Radians> heading;
-    std::vector<RegionVote> votes;   ///< highest first, zero votes left out
-    LandmarkId landmark;             ///< what `position` rests on
-    std::string note;                ///< why there is no region, or why it is doubtful; for people who supervise
+    std::vector<RegionVote> votes; ///< highest first, zero votes left out
+    LandmarkId landmark;           ///< what `position` rests on
+    std::string note; ///< why there is no region, or why it is doubtful; for people who supervise
 };
 
-/// What the localiser may know of the plan, made by the session from the route: localisation itself plans nothing.
+/// What the localiser may know of the plan, made by the session from the route: localisation itself plans
+/// nothing.
 struct RouteContext {
-    std::vector<RegionId> regions;          ///< in walking order from the current one
-    std::optional<Point2> nextAccess;       ///< where the user is expected to head (paper: the displacement)
+    std::vector<RegionId> regions;    ///< in walking order from the current one
+    std::optional<Point2> nextAccess; ///< where the user is expected to head (paper: the displacement)
     double level = 0.0;
 };
 
@@ -57,9 +58,10 @@ public:
     /// Forget everything; `region` empty: an unknown start.
     virtual void start(double time, const std::optional<RegionId>& region) = 0;
     virtual void setRoute(const RouteContext& route) = 0;
-    /// New, de-duplicated observations (paper: runs when an object was detected) with the history as it is now.
-    /// Called once a frame, also with nothing new, so that `time` goes on.
-    virtual Fix update(double time, std::span<const Observation> fresh, const std::deque<Observation>& history) = 0;
+    /// New, de-duplicated observations (paper: runs when an object was detected) with the history as it is
+    /// now. Called once a frame, also with nothing new, so that `time` goes on.
+    virtual Fix update(double time, std::span<const Observation> fresh,
+                       const std::deque<Observation>& history) = 0;
     virtual void moved(double /*time*/, const recognition::Motion& /*motion*/) {}
     virtual std::string name() const = 0;
 };

@@ -14,8 +14,9 @@ bool samePlace(const Observation& old, const Observation& seen) {
            !old.detection.templateId.empty() && old.detection.templateId == seen.detection.templateId;
 }
 
-/// Paper 3b: the same frame identifier, the same object, and the area of the picture in which it is. A trained
-/// template is the same object while the scene lasts even when the camera pans, but not twice in one frame.
+/// Paper 3b: the same frame identifier, the same object, and the area of the picture in which it is. A
+/// trained template is the same object while the scene lasts even when the camera pans, but not twice in one
+/// frame.
 bool isRepeat(const Observation& old, const Observation& seen, double duplicateOverlap) {
     if (old.scene != seen.scene || !identical(old.detection, seen.detection)) return false;
     bool trained = !old.detection.templateId.empty() && !seen.detection.templateId.empty();
@@ -23,10 +24,12 @@ bool isRepeat(const Observation& old, const Observation& seen, double duplicateO
     return overlap(boundingBox(old.detection.quad), boundingBox(seen.detection.quad)) > duplicateOverlap;
 }
 
-/// The old one stays where it is in the queue, with the newest box and the better score (field.md ambiguity 11).
+/// The old one stays where it is in the queue, with the newest box and the better score (field.md ambiguity
+/// 11).
 void refresh(Observation& old, const Observation& seen) {
     double score = std::max(old.detection.score, seen.detection.score);
-    TemplateId trained = seen.detection.templateId.empty() ? old.detection.templateId : seen.detection.templateId;
+    TemplateId trained =
+        seen.detection.templateId.empty() ? old.detection.templateId : seen.detection.templateId;
     old = seen;
     old.detection.score = score;
     old.detection.templateId = trained;
@@ -40,7 +43,8 @@ bool identical(const recognition::Detection& a, const recognition::Detection& b)
 
 Result<void> HistoryOptions::check() const {
     if (capacity < 1 || capacity > 64) {
-        return Error{ErrorCode::InvalidArgument, "the navigation history holds 1 to 64 objects", "history.capacity"};
+        return Error{ErrorCode::InvalidArgument, "the navigation history holds 1 to 64 objects",
+                     "history.capacity"};
     }
     if (!(duplicateOverlap >= 0.0 && duplicateOverlap <= 1.0)) {
         return Error{ErrorCode::InvalidArgument, "the overlap that makes a repeat is a share from 0 to 1",
@@ -74,6 +78,8 @@ std::vector<Observation> NavigationHistory::add(const std::vector<Observation>& 
     return fresh;
 }
 
-void NavigationHistory::clear() { m_items.clear(); }
+void NavigationHistory::clear() {
+    m_items.clear();
+}
 
 } // namespace farol::localisation

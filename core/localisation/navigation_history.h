@@ -13,7 +13,7 @@ namespace farol::localisation {
 bool identical(const recognition::Detection& a, const recognition::Detection& b);
 
 struct HistoryOptions {
-    std::size_t capacity = 4;     ///< paper: four, found by experiment
+    std::size_t capacity = 4;      ///< paper: four, found by experiment
     double duplicateOverlap = 0.5; ///< box intersection over union in one scene that makes a repeat
 
     Result<void> check() const;
@@ -23,8 +23,8 @@ class NavigationHistory {
 public:
     explicit NavigationHistory(HistoryOptions options = {});
 
-    /// Accepts what is new and answers it in order. A repeat (same scene, identical, overlapping box, or the same
-    /// trained template while the scene lasts) refreshes time, box and score of the old one instead.
+    /// Accepts what is new and answers it in order. A repeat (same scene, identical, overlapping box, or the
+    /// same trained template while the scene lasts) refreshes time, box and score of the old one instead.
     std::vector<Observation> add(const std::vector<Observation>& seen);
     const std::deque<Observation>& items() const { return m_items; } ///< oldest first
     void clear();

@@ -16,9 +16,12 @@ double correlation(const cv::Mat& a, const cv::Mat& b) {
 
 cv::Mat asBgr(const cv::Mat& image) {
     cv::Mat bgr;
-    if (image.channels() == 1) cv::cvtColor(image, bgr, cv::COLOR_GRAY2BGR);
-    else if (image.channels() == 4) cv::cvtColor(image, bgr, cv::COLOR_BGRA2BGR);
-    else bgr = image;
+    if (image.channels() == 1)
+        cv::cvtColor(image, bgr, cv::COLOR_GRAY2BGR);
+    else if (image.channels() == 4)
+        cv::cvtColor(image, bgr, cv::COLOR_BGRA2BGR);
+    else
+        bgr = image;
     return bgr;
 }
 
@@ -70,7 +73,8 @@ int SceneContext::observe(const cv::Mat& image) {
     } else {
         m_toPrevious = correlation(histogram, m_previous);
         m_toFirst = correlation(histogram, m_first);
-        if (m_toPrevious < m_options.minCorrelationToPrevious || m_toFirst < m_options.minCorrelationToFirst) {
+        if (m_toPrevious < m_options.minCorrelationToPrevious ||
+            m_toFirst < m_options.minCorrelationToFirst) {
             ++m_scene;
             m_first = histogram;
         }

@@ -7,8 +7,9 @@
 
 namespace farol::localisation {
 
-/// Correlations in [-1, 1] of hue-saturation-value histograms. A new scene begins when a frame is less alike than
-/// these to the previous frame, or to the first frame of its scene (a slow pan changes little from frame to frame).
+/// Correlations in [-1, 1] of hue-saturation-value histograms. A new scene begins when a frame is less alike
+/// than these to the previous frame, or to the first frame of its scene (a slow pan changes little from frame
+/// to frame).
 struct SceneOptions {
     double minCorrelationToPrevious = 0.70;
     double minCorrelationToFirst = 0.45;

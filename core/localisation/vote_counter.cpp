@@ -18,9 +18,13 @@ std::uint64_t newestItems(std::size_t size, std::size_t count) {
     return mask;
 }
 
-bool isLevelChange(Kind kind) { return kind == Kind::Stairs || kind == Kind::Elevator; }
+bool isLevelChange(Kind kind) {
+    return kind == Kind::Stairs || kind == Kind::Elevator;
+}
 
-int signWithDeadBand(double value, double deadBand) { return value > deadBand ? 1 : value < -deadBand ? -1 : 0; }
+int signWithDeadBand(double value, double deadBand) {
+    return value > deadBand ? 1 : value < -deadBand ? -1 : 0;
+}
 
 /// Do the borders run along each other for half a metre? Only for the reading that walls join regions too.
 bool shareWall(const building::Region& a, const building::Region& b) {
@@ -115,7 +119,8 @@ VoteCounter::Tally VoteCounter::tally(const Situation& situation, const std::deq
         std::optional<std::size_t> only;
         bool severalRegions = false;
         for (std::size_t landmark = 0; landmark < m_identities.size(); ++landmark) {
-            if (!m_regionOf[landmark] || !sameThing(m_identities[landmark], seen, m_options.textTolerance)) continue;
+            if (!m_regionOf[landmark] || !sameThing(m_identities[landmark], seen, m_options.textTolerance))
+                continue;
             result.matches[landmark] |= Mask{1} << i;
             if (only && *only != *m_regionOf[landmark]) severalRegions = true;
             only = m_regionOf[landmark];
@@ -123,10 +128,13 @@ VoteCounter::Tally VoteCounter::tally(const Situation& situation, const std::deq
         if (only) result.mapped |= Mask{1} << i;
         if (only && telling && !severalRegions) result.unmistakable |= Mask{1} << i;
     }
-    result.nobj = m_options.unmappedObjectsCount ? static_cast<int>(result.items.size()) : std::popcount(result.mapped);
+    result.nobj =
+        m_options.unmappedObjectsCount ? static_cast<int>(result.items.size()) : std::popcount(result.mapped);
     result.reference = lastDetected(result, freshCount);
-    result.levelWeight = m_severalLevels && situation.known() && !m_building->nearLevelChange(*situation.lastRegion);
-    for (std::size_t i = result.items.size() - std::min(freshCount, result.items.size()); i < result.items.size(); ++i) {
+    result.levelWeight =
+        m_severalLevels && situation.known() && !m_building->nearLevelChange(*situation.lastRegion);
+    for (std::size_t i = result.items.size() - std::min(freshCount, result.items.size());
+         i < result.items.size(); ++i) {
         if (isLevelChange(result.items[i]->detection.kind)) result.levelWeight = false;
     }
     return result;
@@ -151,7 +159,8 @@ int VoteCounter::directionWeight(const Situation& situation, Point2 object) cons
     Point2 direction = object - origin;
     if (!isFinite(displacement) || !isFinite(direction)) return unknown;
     auto same = [&](double a, double b) {
-        return signWithDeadBand(a, m_options.componentDeadBandM) == signWithDeadBand(b, m_options.componentDeadBandM);
+        return signWithDeadBand(a, m_options.componentDeadBandM) ==
+               signWithDeadBand(b, m_options.componentDeadBandM);
     };
     return 1 + (same(displacement.x, direction.x) ? 1 : 0) + (same(displacement.y, direction.y) ? 1 : 0);
 }
@@ -263,7 +272,8 @@ void VoteCounter::addRegionWeights(const Situation& situation, const Tally& tall
         bool stays = m_options.stayCounts && ballot.region == *situation.lastRegion;
         if (isNear || stays) ballot.ppos = m_options.ppos;
     }
-    bool onRoute = std::find(situation.route.begin(), situation.route.end(), ballot.region) != situation.route.end();
+    bool onRoute =
+        std::find(situation.route.begin(), situation.route.end(), ballot.region) != situation.route.end();
     if (onRoute && (ballot.bestObject || !m_options.percNeedsObject)) ballot.pperc = m_options.pperc;
     if (sceneAgrees(tally, ballot.region)) ballot.pid = m_options.pid;
     ballot.preg = ballot.pmaxobj + ballot.ppos + ballot.pperc + ballot.pid;
@@ -274,7 +284,8 @@ std::vector<Ballot> VoteCounter::count(const Situation& situation, const std::de
                                        std::size_t freshCount) const {
     Tally work = tally(situation, history, freshCount);
     std::vector<Ballot> ballots;
-    if (!m_options.unmappedObjectsCount && (newestItems(work.items.size(), freshCount) & work.mapped) == 0) return ballots;
+    if (!m_options.unmappedObjectsCount && (newestItems(work.items.size(), freshCount) & work.mapped) == 0)
+        return ballots;
     for (std::size_t region = 0; region < m_building->regions().size(); ++region) {
         Ballot ballot;
         ballot.region = region;

@@ -1,5 +1,6 @@
 #pragma once
-// Steps (a) and (b) of the paper's 4.2: the weights of the objects and the votes of the regions. No state of a walk.
+// Steps (a) and (b) of the paper's 4.2: the weights of the objects and the votes of the regions. No state of
+// a walk.
 
 #include "core/localisation/identity.h"
 #include "core/localisation/voting_localiser.h"
@@ -12,13 +13,14 @@
 
 namespace farol::localisation {
 
-/// What the voting knows of the user before an object is weighed. Regions and landmarks by their index in the building.
+/// What the voting knows of the user before an object is weighed. Regions and landmarks by their index in the
+/// building.
 struct Situation {
     std::optional<std::size_t> lastRegion; ///< empty: never known
     bool lost = false;                     ///< then the last region is no help
     std::optional<Point2> position;
     std::optional<Point2> nextAccess;
-    std::vector<std::size_t> route;        ///< regions in walking order
+    std::vector<std::size_t> route; ///< regions in walking order
 
     bool known() const { return lastRegion.has_value() && !lost; }
 };
@@ -31,9 +33,9 @@ struct Ballot {
     int np = 0, nv = 0, nobj = 0;
     double rp = 0, rv = 0, vreg = 0;
     std::optional<std::size_t> bestObject; ///< landmark of Pmaxobj
-    bool unmistakable = false;             ///< an object known by template or text, here only, is in the history
-    bool bestUnique = false;               ///< no other identical landmark of the region weighs as much
-    std::vector<std::size_t> evidence;     ///< landmarks identical to history objects
+    bool unmistakable = false;         ///< an object known by template or text, here only, is in the history
+    bool bestUnique = false;           ///< no other identical landmark of the region weighs as much
+    std::vector<std::size_t> evidence; ///< landmarks identical to history objects
 };
 
 /// Vreg = Preg x Rp + (Preg - 1) x Rv. `clamp`: the second factor not below 0.
@@ -43,9 +45,9 @@ class VoteCounter {
 public:
     VoteCounter(std::shared_ptr<const building::Building> building, const VotingOptions& options);
 
-    /// Ballots of all regions that hold history objects or adjoin such regions, best first. Ties: the current region,
-    /// then the earlier on the route, then the lower id. `freshCount` of the newest history items are the last detected; none when
-    /// the map knows nothing like them (unless such objects count).
+    /// Ballots of all regions that hold history objects or adjoin such regions, best first. Ties: the current
+    /// region, then the earlier on the route, then the lower id. `freshCount` of the newest history items are
+    /// the last detected; none when the map knows nothing like them (unless such objects count).
     std::vector<Ballot> count(const Situation& situation, const std::deque<Observation>& history,
                               std::size_t freshCount) const;
     const std::vector<std::size_t>& neighboursOf(std::size_t region) const { return m_neighbours[region]; }
@@ -55,7 +57,8 @@ private:
     struct Tally;
 
     void findNeighbours();
-    Tally tally(const Situation& situation, const std::deque<Observation>& history, std::size_t freshCount) const;
+    Tally tally(const Situation& situation, const std::deque<Observation>& history,
+                std::size_t freshCount) const;
     Mask lastDetected(const Tally& tally, std::size_t freshCount) const;
     void weighObjects(const Situation& situation, const Tally& tally, Ballot& ballot) const;
     int directionWeight(const Situation& situation, Point2 object) const;

@@ -16,11 +16,20 @@ Error outOfRange(const char* message, const char* option) {
 }
 
 std::map<std::string, double> termsOf(const Ballot& ballot) {
-    return {{"Pobj", ballot.pobj}, {"Pdir", ballot.pdir},       {"Pf", ballot.pf},
-            {"Ppos", ballot.ppos}, {"Pmaxobj", ballot.pmaxobj}, {"Pperc", ballot.pperc},
-            {"PID", ballot.pid},   {"Preg", ballot.preg},       {"Np", static_cast<double>(ballot.np)},
-            {"Rp", ballot.rp},     {"Rv", ballot.rv},           {"Nv", static_cast<double>(ballot.nv)},
-            {"Vreg", ballot.vreg}, {"Nobj", static_cast<double>(ballot.nobj)}};
+    return {{"Pobj", ballot.pobj},
+            {"Pdir", ballot.pdir},
+            {"Pf", ballot.pf},
+            {"Ppos", ballot.ppos},
+            {"Pmaxobj", ballot.pmaxobj},
+            {"Pperc", ballot.pperc},
+            {"PID", ballot.pid},
+            {"Preg", ballot.preg},
+            {"Np", static_cast<double>(ballot.np)},
+            {"Rp", ballot.rp},
+            {"Rv", ballot.rv},
+            {"Nv", static_cast<double>(ballot.nv)},
+            {"Vreg", ballot.vreg},
+            {"Nobj", static_cast<double>(ballot.nobj)}};
 }
 
 class VotingLocaliser final : public Localiser {
@@ -31,7 +40,8 @@ public:
 
     void start(double time, const std::optional<RegionId>& region) override;
     void setRoute(const RouteContext& route) override;
-    Fix update(double time, std::span<const Observation> fresh, const std::deque<Observation>& history) override;
+    Fix update(double time, std::span<const Observation> fresh,
+               const std::deque<Observation>& history) override;
     std::string name() const override { return m_name; }
 
 private:
@@ -50,7 +60,9 @@ private:
     void followWalking(const Spot& spot);
     void findNear(const std::vector<Ballot>& ballots, double support);
     void publishVotes(const std::vector<Ballot>& ballots);
-    double decayFactor() const { return std::exp2(-(m_now - m_fix.evidenceTime) / m_options.halfLifeSeconds); }
+    double decayFactor() const {
+        return std::exp2(-(m_now - m_fix.evidenceTime) / m_options.halfLifeSeconds);
+    }
     const RegionId& idOf(std::size_t region) const { return m_building->regions()[region].id; }
 
     std::shared_ptr<const building::Building> m_building;
@@ -62,8 +74,8 @@ private:
     double m_now = 0.0;
     bool m_started = false;
     std::size_t m_objectsSeen = 0;
-    std::optional<Spot> m_spot;        ///< P2 of the paper, the newest position
-    std::optional<Radians> m_walking;  ///< from the position before it
+    std::optional<Spot> m_spot;       ///< P2 of the paper, the newest position
+    std::optional<Radians> m_walking; ///< from the position before it
 };
 
 void VotingLocaliser::start(double time, const std::optional<RegionId>& region) {
@@ -113,8 +125,10 @@ Fix VotingLocaliser::update(double time, std::span<const Observation> fresh,
     if (std::isfinite(time)) m_now = std::max(m_now, time);
     if (!fresh.empty()) {
         m_objectsSeen += fresh.size();
-        if (history.empty()) vote(std::deque<Observation>(fresh.begin(), fresh.end()), fresh.size());
-        else vote(history, fresh.size());
+        if (history.empty())
+            vote(std::deque<Observation>(fresh.begin(), fresh.end()), fresh.size());
+        else
+            vote(history, fresh.size());
     }
     Fix fix = m_fix;
     fix.time = m_now;
@@ -139,14 +153,16 @@ void VotingLocaliser::vote(const std::deque<Observation>& history, std::size_t f
 }
 
 /// Steps (c) to (e).
-void VotingLocaliser::decide(const std::vector<Ballot>& ballots, std::size_t historySize, double priorConfidence) {
+void VotingLocaliser::decide(const std::vector<Ballot>& ballots, std::size_t historySize,
+                             double priorConfidence) {
     const Ballot& winner = ballots.front();
     double best = winner.vreg;
     double second = ballots.size() > 1 ? std::max(ballots[1].vreg, 0.0) : 0.0;
     double margin = std::clamp((best - second) / best, 0.0, 1.0);
     double support = std::min(1.0, 0.2 + 0.2 * winner.np);
     std::size_t contenders = 1;
-    while (contenders < ballots.size() && ballots[contenders].vreg > best * (1.0 - m_options.doubtfulMargin)) {
+    while (contenders < ballots.size() &&
+           ballots[contenders].vreg > best * (1.0 - m_options.doubtfulMargin)) {
         ++contenders;
     }
     m_fix.note.clear();
@@ -155,7 +171,8 @@ void VotingLocaliser::decide(const std::vector<Ballot>& ballots, std::size_t his
         return ballot.region == m_situation.lastRegion && !m_situation.lost && ballot.np > 0;
     });
     bool unknownStart = !m_situation.lastRegion.has_value();
-    if (unknownStart && std::max(m_objectsSeen, historySize) < static_cast<std::size_t>(m_options.minimumObjects)) {
+    if (unknownStart &&
+        std::max(m_objectsSeen, historySize) < static_cast<std::size_t>(m_options.minimumObjects)) {
         refuse(ballots, contenders, "too few objects seen since the unknown start");
     } else if (m_options.alwaysAnswers) {
         accept(winner, margin * support);
@@ -163,7 +180,8 @@ void VotingLocaliser::decide(const std::vector<Ballot>& ballots, std::size_t his
     } else if (contenders > 1 && current != end) {
         // A tie says nothing for the region, but nothing against it either.
         accept(*current, std::max(margin * support, priorConfidence / 2.0));
-        m_fix.note = "doubtful: as likely as " + idOf(ballots[current == ballots.begin() ? 1 : 0].region).value;
+        m_fix.note =
+            "doubtful: as likely as " + idOf(ballots[current == ballots.begin() ? 1 : 0].region).value;
     } else if (m_options.lostWithoutObject && winner.np == 0) {
         refuse(ballots, contenders, "");
         lose();
@@ -191,7 +209,8 @@ void VotingLocaliser::accept(const Ballot& winner, double confidence) {
     placeAt(winner);
 }
 
-void VotingLocaliser::refuse(const std::vector<Ballot>& ballots, std::size_t contenders, const std::string& note) {
+void VotingLocaliser::refuse(const std::vector<Ballot>& ballots, std::size_t contenders,
+                             const std::string& note) {
     m_situation.position.reset();
     m_fix.region.reset();
     m_fix.position.reset();
@@ -273,7 +292,8 @@ void VotingLocaliser::publishVotes(const std::vector<Ballot>& ballots) {
         vote.region = idOf(ballot.region);
         vote.vote = ballot.vreg;
         vote.terms = termsOf(ballot);
-        for (std::size_t landmark : ballot.evidence) vote.evidence.push_back(m_building->landmarks()[landmark].id);
+        for (std::size_t landmark : ballot.evidence)
+            vote.evidence.push_back(m_building->landmarks()[landmark].id);
         m_fix.votes.push_back(std::move(vote));
     }
 }
@@ -322,16 +342,19 @@ std::unique_ptr<Localiser> makeVotingLocaliser(std::shared_ptr<const building::B
     return std::make_unique<VotingLocaliser>(std::move(building), options, "voting");
 }
 
-std::vector<std::string> localiserNames() { return {"voting", "voting-literal"}; }
+std::vector<std::string> localiserNames() {
+    return {"voting", "voting-literal"};
+}
 
 Result<std::unique_ptr<Localiser>> makeLocaliser(const std::string& name,
                                                  std::shared_ptr<const building::Building> building) {
     if (name == "voting" || name == "voting-literal") {
         VotingOptions options = name == "voting" ? VotingOptions::repaired() : VotingOptions::literal();
-        return std::unique_ptr<Localiser>(std::make_unique<VotingLocaliser>(std::move(building), options, name));
+        return std::unique_ptr<Localiser>(
+            std::make_unique<VotingLocaliser>(std::move(building), options, name));
     }
-    return Error{ErrorCode::InvalidArgument, "there is no localiser of this name; there are voting and voting-literal",
-                 name};
+    return Error{ErrorCode::InvalidArgument,
+                 "there is no localiser of this name; there are voting and voting-literal", name};
 }
 
 } // namespace farol::localisation

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <limits>
 
-// The distance is nearly all the time of recognition: the compiler writes it for the newest processors as well, and
-// the right one is chosen at start. Sanitizers cannot instrument that choice.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \
+// The distance is nearly all the time of recognition: the compiler writes it for the newest processors as
+// well, and the right one is chosen at start. Sanitizers cannot instrument that choice.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) &&     \
     !defined(__SANITIZE_THREAD__)
 #define FAROL_FAST_DISTANCE __attribute__((target_clones("avx2", "default")))
 #else
@@ -31,7 +31,8 @@ FAROL_FAST_DISTANCE int squaredDistance(const unsigned char* a, const unsigned c
 }
 
 /// Of one query to many rows at once, so that the choice of the processor's version is paid once.
-FAROL_FAST_DISTANCE void squaredDistances(const unsigned char* query, const unsigned char* rows, int count, int* out) {
+FAROL_FAST_DISTANCE void squaredDistances(const unsigned char* query, const unsigned char* rows, int count,
+                                          int* out) {
     for (int row = 0; row < count; ++row) {
         const unsigned char* b = rows + static_cast<std::ptrdiff_t>(row) * kBytes;
         int sum = 0;
@@ -69,14 +70,17 @@ struct ByteL2 {
 
 } // namespace
 
-int byteDistance(const unsigned char* a, const unsigned char* b) { return squaredDistance(a, b); }
+int byteDistance(const unsigned char* a, const unsigned char* b) {
+    return squaredDistance(a, b);
+}
 
 struct ByteIndex::Trees {
     cvflann::Matrix<unsigned char> rows;
     cvflann::KDTreeIndex<ByteL2> index;
 
     explicit Trees(const cv::Mat& descriptors)
-        : rows(const_cast<unsigned char*>(descriptors.ptr()), static_cast<std::size_t>(descriptors.rows), kBytes),
+        : rows(const_cast<unsigned char*>(descriptors.ptr()), static_cast<std::size_t>(descriptors.rows),
+               kBytes),
           index(rows, cvflann::KDTreeIndexParams(4)) {
         cv::RNG& generator = cv::theRNG(); // the trees draw from it
         cv::RNG before = generator;

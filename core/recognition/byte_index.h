@@ -12,8 +12,8 @@ namespace farol::recognition {
 int byteDistance(const unsigned char* a, const unsigned char* b);
 
 struct Neighbours {
-    int each = 0;                ///< neighbours of one query
-    std::vector<int> rows;       ///< each * queries; -1 where there is none
+    int each = 0;                 ///< neighbours of one query
+    std::vector<int> rows;        ///< each * queries; -1 where there is none
     std::vector<float> distances; ///< squared
 };
 

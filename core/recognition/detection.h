@@ -20,15 +20,16 @@ struct Detection {
     std::string text;      ///< what was read; empty when nothing
     Quad quad{};
     ImageSize image;
-    double score = 0.0;    ///< 0 to 1, comparable within a kind
-    int inliers = 0;       ///< matched keypoints that fit; 0 where that has no meaning
+    double score = 0.0; ///< 0 to 1, comparable within a kind
+    int inliers = 0;    ///< matched keypoints that fit; 0 where that has no meaning
     std::optional<double> rangeM;
     std::optional<Radians> bearing;
 
     Zone zone() const { return zoneOf(boundingBox(quad).centre(), image); }
 };
 
-/// A candidate that was not accepted. `reason` is a stable word such as "few_inliers", "folded_quad", "low_patch_correlation".
+/// A candidate that was not accepted. `reason` is a stable word such as "few_inliers", "folded_quad",
+/// "low_patch_correlation".
 struct Rejection {
     std::string detector; ///< "landmarks", "doors", "text", "rectangles"
     Kind kind = Kind::Other;
@@ -40,8 +41,8 @@ struct Rejection {
 
 /// What the picture's own flow tells since the frame before: empty where it cannot tell.
 struct Motion {
-    std::optional<Radians> turn;  ///< left positive
-    std::optional<double> speed;  ///< relative units, 0 standing
+    std::optional<Radians> turn; ///< left positive
+    std::optional<double> speed; ///< relative units, 0 standing
 };
 
 struct DetectorResult {

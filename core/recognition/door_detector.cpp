@@ -74,11 +74,13 @@ std::vector<Jamb> joined(std::vector<Jamb> pieces, double mostGap) {
             for (std::size_t j = i + 1; j < pieces.size(); ++j) {
                 const Jamb& p = pieces[j];
                 if (used[j]) continue;
-                bool inLine = std::abs(p.at(p.top) - jamb.at(p.top)) < 3.0 && std::abs(p.at(p.bottom) - jamb.at(p.bottom)) < 3.0;
+                bool inLine = std::abs(p.at(p.top) - jamb.at(p.top)) < 3.0 &&
+                              std::abs(p.at(p.bottom) - jamb.at(p.bottom)) < 3.0;
                 double gap = std::max(jamb.top, p.top) - std::min(jamb.bottom, p.bottom);
                 if (!inLine || gap > mostGap) continue;
                 jamb.drawn += std::max(0.0, p.length() + std::min(gap, 0.0));
-                cv::Point2d head = p.top < jamb.top ? cv::Point2d(p.at(p.top), p.top) : cv::Point2d(jamb.at(jamb.top), jamb.top);
+                cv::Point2d head = p.top < jamb.top ? cv::Point2d(p.at(p.top), p.top)
+                                                    : cv::Point2d(jamb.at(jamb.top), jamb.top);
                 cv::Point2d foot = p.bottom > jamb.bottom ? cv::Point2d(p.at(p.bottom), p.bottom)
                                                           : cv::Point2d(jamb.at(jamb.bottom), jamb.bottom);
                 jamb.slope = (foot.x - head.x) / std::max(foot.y - head.y, 1e-6);
@@ -128,7 +130,8 @@ double lintelShare(const std::vector<Lintel>& lintels, const Lintel& level, doub
         double from = std::max(l.left.x, left);
         double to = std::min(l.right.x, right);
         if (to <= from) continue;
-        if (std::abs(l.at(from) - level.at(from)) < 3.0 && std::abs(l.at(to) - level.at(to)) < 3.0) spans.emplace_back(from, to);
+        if (std::abs(l.at(from) - level.at(from)) < 3.0 && std::abs(l.at(to) - level.at(to)) < 3.0)
+            spans.emplace_back(from, to);
     }
     std::sort(spans.begin(), spans.end());
     double covered = 0.0, reached = left;
@@ -140,19 +143,22 @@ double lintelShare(const std::vector<Lintel>& lintels, const Lintel& level, doub
 }
 
 cv::Scalar meanOf(const cv::Mat& lab, double left, double top, double right, double bottom) {
-    cv::Rect box(cv::Point(static_cast<int>(left), static_cast<int>(top)), cv::Point(static_cast<int>(right), static_cast<int>(bottom)));
+    cv::Rect box(cv::Point(static_cast<int>(left), static_cast<int>(top)),
+                 cv::Point(static_cast<int>(right), static_cast<int>(bottom)));
     box &= cv::Rect(0, 0, lab.cols, lab.rows);
     return box.area() > 0 ? cv::mean(lab(box)) : cv::Scalar(-1.0, -1.0, -1.0);
 }
 
 double difference(const cv::Scalar& a, const cv::Scalar& b) {
     if (a[0] < 0.0 || b[0] < 0.0) return 0.0;
-    return std::sqrt((a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]) + (a[2] - b[2]) * (a[2] - b[2]));
+    return std::sqrt((a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]) +
+                     (a[2] - b[2]) * (a[2] - b[2]));
 }
 
 /// Shelves, showcases and vending machines have a door's shape but are full of things.
 double edgeShare(const cv::Mat& lab, double left, double top, double right, double bottom) {
-    cv::Rect box(cv::Point(static_cast<int>(left), static_cast<int>(top)), cv::Point(static_cast<int>(right), static_cast<int>(bottom)));
+    cv::Rect box(cv::Point(static_cast<int>(left), static_cast<int>(top)),
+                 cv::Point(static_cast<int>(right), static_cast<int>(bottom)));
     box &= cv::Rect(0, 0, lab.cols, lab.rows);
     if (box.area() == 0) return 0.0;
     cv::Mat light, edges;
@@ -192,8 +198,8 @@ void lookAtLeaf(const cv::Mat& lab, Door& door) {
     }
 }
 
-std::optional<Door> doorFrom(const Jamb& l, const Jamb& r, const Lintel& level, const Lines& lines, cv::Size size,
-                             const DoorDetectorOptions& options) {
+std::optional<Door> doorFrom(const Jamb& l, const Jamb& r, const Lintel& level, const Lines& lines,
+                             cv::Size size, const DoorDetectorOptions& options) {
     double middle = (level.left.y + level.right.y) / 2.0;
     double left = l.at(middle);
     double right = r.at(middle);
@@ -208,14 +214,15 @@ std::optional<Door> doorFrom(const Jamb& l, const Jamb& r, const Lintel& level, 
     // Doors stand on the floor and jambs end at the lintel: windows, boards and pillars do not.
     if (bottom < 0.72 * size.height) return std::nullopt;
     if (std::abs(l.bottom - r.bottom) > 0.15 * height) return std::nullopt;
-    if (std::abs(l.top - topLeft) > 0.08 * height || std::abs(r.top - topRight) > 0.08 * height) return std::nullopt;
+    if (std::abs(l.top - topLeft) > 0.08 * height || std::abs(r.top - topRight) > 0.08 * height)
+        return std::nullopt;
     Door door;
     door.lintel = lintelShare(lines.lintels, level, left, right);
     if (door.lintel < 0.5) return std::nullopt;
     auto drawn = [&](const Jamb& j) { return std::min(1.0, j.drawn / height); };
     door.jambs = std::min(drawn(l), drawn(r));
-    door.quad = {cv::Point2d(l.at(topLeft), topLeft), cv::Point2d(r.at(topRight), topRight), cv::Point2d(r.at(bottom), bottom),
-                 cv::Point2d(l.at(bottom), bottom)};
+    door.quad = {cv::Point2d(l.at(topLeft), topLeft), cv::Point2d(r.at(topRight), topRight),
+                 cv::Point2d(r.at(bottom), bottom), cv::Point2d(l.at(bottom), bottom)};
     return door;
 }
 
@@ -234,19 +241,22 @@ std::vector<Door> doorsAmong(const Lines& lines, const cv::Mat& lab, const DoorD
                 auto door = doorFrom(l, r, level, lines, lab.size(), options);
                 if (!door) continue;
                 lookAtLeaf(lab, *door);
-                door->score = 0.3 * door->jambs + 0.3 * door->lintel + 0.25 * door->contrast + 0.15 * door->evenness;
+                door->score =
+                    0.3 * door->jambs + 0.3 * door->lintel + 0.25 * door->contrast + 0.15 * door->evenness;
                 if (!best || door->score > best->score) best = door;
             }
             if (best) doors.push_back(*best);
         }
     }
-    std::stable_sort(doors.begin(), doors.end(), [](const Door& a, const Door& b) { return a.score > b.score; });
+    std::stable_sort(doors.begin(), doors.end(),
+                     [](const Door& a, const Door& b) { return a.score > b.score; });
     return doors;
 }
 
 Quad inFullPicture(const Door& door, double scale) {
     Quad quad;
-    for (std::size_t i = 0; i < 4; ++i) quad[i] = {(door.quad[i].x + 0.5) / scale, (door.quad[i].y + 0.5) / scale};
+    for (std::size_t i = 0; i < 4; ++i)
+        quad[i] = {(door.quad[i].x + 0.5) / scale, (door.quad[i].y + 0.5) / scale};
     return quad;
 }
 
@@ -256,9 +266,12 @@ Result<void> DoorDetectorOptions::check() const {
     auto wrong = [](const std::string& message, const char* option) {
         return Error{ErrorCode::InvalidArgument, message, option};
     };
-    if (!(minHeightShare > 0.0 && minHeightShare <= 1.0)) return wrong("a share lies between 0 and 1", "minHeightShare");
-    if (!(maxTiltDegrees > 0.0 && maxTiltDegrees < 45.0)) return wrong("a tilt lies between 0 and 45 degrees", "maxTiltDegrees");
-    if (!(minAspect > 0.0 && maxAspect > minAspect)) return wrong("the greatest aspect must be above the least", "maxAspect");
+    if (!(minHeightShare > 0.0 && minHeightShare <= 1.0))
+        return wrong("a share lies between 0 and 1", "minHeightShare");
+    if (!(maxTiltDegrees > 0.0 && maxTiltDegrees < 45.0))
+        return wrong("a tilt lies between 0 and 45 degrees", "maxTiltDegrees");
+    if (!(minAspect > 0.0 && maxAspect > minAspect))
+        return wrong("the greatest aspect must be above the least", "maxAspect");
     if (!(minScore >= 0.0 && minScore <= 1.0)) return wrong("a score lies between 0 and 1", "minScore");
     return {};
 }
@@ -275,13 +288,18 @@ DetectorResult detectDoors(const cv::Mat& image, const DoorDetectorOptions& opti
     for (const Door& door : doorsAmong(linesOf(grey, options), lab, options)) {
         Quad quad = inFullPicture(door, scale);
         // The leaf, its frame and the frame's shadow are one door.
-        bool copy = std::any_of(result.detections.begin(), result.detections.end(), [&](const Detection& kept) {
-            return overlap(boundingBox(kept.quad), boundingBox(quad)) > 0.4;
-        });
+        bool copy =
+            std::any_of(result.detections.begin(), result.detections.end(), [&](const Detection& kept) {
+                return overlap(boundingBox(kept.quad), boundingBox(quad)) > 0.4;
+            });
         if (copy) continue;
         if (door.doubt != nullptr || door.score < options.minScore) {
             bool doubted = door.doubt != nullptr;
-            result.rejections.push_back({"doors", Kind::Door, {}, quad, doubted ? door.doubt : "low_score",
+            result.rejections.push_back({"doors",
+                                         Kind::Door,
+                                         {},
+                                         quad,
+                                         doubted ? door.doubt : "low_score",
                                          doubted ? door.doubtValue : door.score});
             continue;
         }

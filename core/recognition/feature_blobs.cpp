@@ -17,10 +17,13 @@ constexpr std::uint32_t kMostRows = 1'000'000;
 constexpr std::uint32_t kMostColumns = 4096;
 
 void put(std::string& out, std::uint32_t value) {
-    for (int shift = 0; shift < 32; shift += 8) out.push_back(static_cast<char>(static_cast<unsigned char>(value >> shift)));
+    for (int shift = 0; shift < 32; shift += 8)
+        out.push_back(static_cast<char>(static_cast<unsigned char>(value >> shift)));
 }
 
-void put(std::string& out, float value) { put(out, std::bit_cast<std::uint32_t>(value)); }
+void put(std::string& out, float value) {
+    put(out, std::bit_cast<std::uint32_t>(value));
+}
 
 std::uint32_t number(std::string_view bytes, std::size_t at) {
     std::uint32_t value = 0;
@@ -29,13 +32,18 @@ std::uint32_t number(std::string_view bytes, std::size_t at) {
     return value;
 }
 
-float real(std::string_view bytes, std::size_t at) { return std::bit_cast<float>(number(bytes, at)); }
+float real(std::string_view bytes, std::size_t at) {
+    return std::bit_cast<float>(number(bytes, at));
+}
 
-Error damaged(const std::string& what) { return {ErrorCode::Corrupt, what, {}}; }
+Error damaged(const std::string& what) {
+    return {ErrorCode::Corrupt, what, {}};
+}
 
 /// The number of rows, once mark, width and length fit together.
 Result<std::uint32_t> checkedRows(std::string_view bytes, std::string_view mark, const std::string& what) {
-    if (bytes.size() < kHead || bytes.substr(0, 4) != mark) return damaged("the " + what + " do not begin as they should");
+    if (bytes.size() < kHead || bytes.substr(0, 4) != mark)
+        return damaged("the " + what + " do not begin as they should");
     std::uint64_t rows = number(bytes, 4);
     std::uint64_t width = number(bytes, 8);
     if (rows > kMostRows || width > kMostColumns) return damaged("the " + what + " have an impossible size");
@@ -52,9 +60,9 @@ Result<cv::KeyPoint> keypointAt(std::string_view bytes, std::size_t at) {
     point.octave = std::bit_cast<std::int32_t>(number(bytes, at + 20));
     point.class_id = std::bit_cast<std::int32_t>(number(bytes, at + 24));
     constexpr float kFar = 1e6F;
-    bool sane = std::abs(point.pt.x) < kFar && std::abs(point.pt.y) < kFar && point.size > 0.0F && point.size < kFar &&
-                std::abs(point.angle) <= 720.0F && std::isfinite(point.response) && point.class_id >= 0 &&
-                point.class_id < 256;
+    bool sane = std::abs(point.pt.x) < kFar && std::abs(point.pt.y) < kFar && point.size > 0.0F &&
+                point.size < kFar && std::abs(point.angle) <= 720.0F && std::isfinite(point.response) &&
+                point.class_id >= 0 && point.class_id < 256;
     if (!sane) return damaged("a keypoint has an impossible value");
     return point;
 }
@@ -67,7 +75,8 @@ FeatureBlobs encodeFeatures(const Features& features) {
     put(blobs.keypoints, static_cast<std::uint32_t>(features.keypoints.size()));
     put(blobs.keypoints, static_cast<std::uint32_t>(kKeypointBytes));
     for (const cv::KeyPoint& point : features.keypoints) {
-        for (float value : {point.pt.x, point.pt.y, point.size, point.angle, point.response}) put(blobs.keypoints, value);
+        for (float value : {point.pt.x, point.pt.y, point.size, point.angle, point.response})
+            put(blobs.keypoints, value);
         put(blobs.keypoints, std::bit_cast<std::uint32_t>(static_cast<std::int32_t>(point.octave)));
         put(blobs.keypoints, std::bit_cast<std::uint32_t>(static_cast<std::int32_t>(point.class_id)));
     }
@@ -86,7 +95,8 @@ Result<Features> decodeFeatures(std::string_view keypoints, std::string_view des
     auto rows = checkedRows(descriptors, kDescriptorMark, "descriptors");
     if (!rows) return rows.error();
     if (*points != *rows) return damaged("there are not as many descriptors as keypoints");
-    if (*points > 0 && number(keypoints, 8) != kKeypointBytes) return damaged("the keypoints are of another kind");
+    if (*points > 0 && number(keypoints, 8) != kKeypointBytes)
+        return damaged("the keypoints are of another kind");
     std::uint32_t width = number(descriptors, 8);
     if (width != 128) return damaged("the descriptors are of another kind");
     Features features;
@@ -97,7 +107,8 @@ Result<Features> decodeFeatures(std::string_view keypoints, std::string_view des
         features.keypoints.push_back(*point);
     }
     features.descriptors = cv::Mat(static_cast<int>(*rows), static_cast<int>(width), CV_8U);
-    if (*rows > 0) std::memcpy(features.descriptors.data, descriptors.data() + kHead, descriptors.size() - kHead);
+    if (*rows > 0)
+        std::memcpy(features.descriptors.data, descriptors.data() + kHead, descriptors.size() - kHead);
     return features;
 }
 
@@ -106,13 +117,15 @@ std::uint32_t checksum(std::string_view bytes, std::uint32_t seed) {
         std::array<std::uint32_t, 256> table{};
         for (std::uint32_t i = 0; i < 256; ++i) {
             std::uint32_t value = i;
-            for (int bit = 0; bit < 8; ++bit) value = (value & 1U) != 0 ? 0xEDB88320U ^ (value >> 1U) : value >> 1U;
+            for (int bit = 0; bit < 8; ++bit)
+                value = (value & 1U) != 0 ? 0xEDB88320U ^ (value >> 1U) : value >> 1U;
             table[i] = value;
         }
         return table;
     }();
     std::uint32_t value = ~seed;
-    for (char byte : bytes) value = kTable[(value ^ static_cast<unsigned char>(byte)) & 0xFFU] ^ (value >> 8U);
+    for (char byte : bytes)
+        value = kTable[(value ^ static_cast<unsigned char>(byte)) & 0xFFU] ^ (value >> 8U);
     return ~value;
 }
 

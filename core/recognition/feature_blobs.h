@@ -1,6 +1,6 @@
 #pragma once
-// Keypoints and descriptors as they stand in a library file: little-endian bytes, checked on the way in, so that no
-// damaged file can do more than be refused.
+// Keypoints and descriptors as they stand in a library file: little-endian bytes, checked on the way in, so
+// that no damaged file can do more than be refused.
 
 #include "core/base/error.h"
 #include "core/recognition/feature_extractor.h"

@@ -13,8 +13,8 @@ namespace {
 constexpr int kDescriptorBytes = 128;
 constexpr int kSmallestSide = 16; // below, SIFT's pyramid has nothing to work on
 
-/// Square roots of the L1-normalised SIFT vector, so that Euclidean distance compares as Hellinger's; as bytes, whose
-/// rounding is far below the noise and which take a quarter of the room.
+/// Square roots of the L1-normalised SIFT vector, so that Euclidean distance compares as Hellinger's; as
+/// bytes, whose rounding is far below the noise and which take a quarter of the room.
 cv::Mat rootBytes(const cv::Mat& sift) {
     cv::Mat bytes(sift.rows, kDescriptorBytes, CV_8U);
     for (int row = 0; row < sift.rows; ++row) {
@@ -34,7 +34,8 @@ Result<void> ExtractorOptions::check() const {
     auto wrong = [](const std::string& message, const char* option) {
         return Error{ErrorCode::InvalidArgument, message, option};
     };
-    if (name != "rootsift") return wrong("the only feature extractor is rootsift, not \"" + name + "\"", "extractor");
+    if (name != "rootsift")
+        return wrong("the only feature extractor is rootsift, not \"" + name + "\"", "extractor");
     if (workingLongSide < 64 || workingLongSide > 4096)
         return wrong("the working size must be between 64 and 4096 pixels", "workingLongSide");
     if (maxKeypoints < 10 || maxKeypoints > 20000)

@@ -13,10 +13,11 @@
 
 namespace farol::recognition {
 
-/// `workingLongSide`: the picture is reduced until its longer side is at most this many pixels (never enlarged).
+/// `workingLongSide`: the picture is reduced until its longer side is at most this many pixels (never
+/// enlarged).
 struct ExtractorOptions {
     std::string name = "rootsift";
-    int version = 1;             ///< of our own post-processing; a change makes old descriptors incomparable
+    int version = 1; ///< of our own post-processing; a change makes old descriptors incomparable
     int workingLongSide = 512;
     int maxKeypoints = 800;
     double contrastThreshold = 0.015;

@@ -5,7 +5,8 @@
 namespace farol::recognition {
 
 const Template* LandmarkLibrary::find(const TemplateId& id) const {
-    auto found = std::find_if(templates.begin(), templates.end(), [&](const Template& t) { return t.id == id; });
+    auto found =
+        std::find_if(templates.begin(), templates.end(), [&](const Template& t) { return t.id == id; });
     return found == templates.end() ? nullptr : &*found;
 }
 

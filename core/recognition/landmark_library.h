@@ -1,6 +1,6 @@
 #pragma once
-// The trained appearances: templates with their views (paper section 2, "Training Module"). A value: training adds
-// to it, the store saves it, the recogniser builds its index from it.
+// The trained appearances: templates with their views (paper section 2, "Training Module"). A value: training
+// adds to it, the store saves it, the recogniser builds its index from it.
 
 #include "core/base/error.h"
 #include "core/base/ids.h"
@@ -15,8 +15,9 @@
 
 namespace farol::recognition {
 
-/// One photograph of a template, with what was extracted from it. `outline` in pixels of the photograph; keypoints
-/// likewise. `jpeg` is the photograph itself, kept so that another extractor can be trained from it.
+/// One photograph of a template, with what was extracted from it. `outline` in pixels of the photograph;
+/// keypoints likewise. `jpeg` is the photograph itself, kept so that another extractor can be trained from
+/// it.
 struct View {
     std::string jpeg;
     ImageSize size;
@@ -27,8 +28,9 @@ struct View {
 struct Template {
     TemplateId id;
     Kind kind = Kind::Other;
-    std::string unknownKind; ///< as it stands in the file when the list of kinds does not have it (kind is Other then)
-    std::string name; ///< for people; the id when empty
+    std::string unknownKind; ///< as it stands in the file when the list of kinds does not have it (kind is
+                             ///< Other then)
+    std::string name;        ///< for people; the id when empty
     std::optional<double> widthM, heightM; ///< real size
     std::vector<View> views;
 };
@@ -41,9 +43,9 @@ struct LandmarkLibrary {
     std::size_t viewCount() const;
 };
 
-/// Reads the `templates`, `views` and `farol` layers of a library file or of a map that holds one. Conflict when it
-/// was made with another extractor than `wanted` (both named in the message); UnsupportedFormat for a later version;
-/// Corrupt for damaged descriptor blobs (template and view named).
+/// Reads the `templates`, `views` and `farol` layers of a library file or of a map that holds one. Conflict
+/// when it was made with another extractor than `wanted` (both named in the message); UnsupportedFormat for a
+/// later version; Corrupt for damaged descriptor blobs (template and view named).
 Result<LandmarkLibrary> loadLibrary(const std::string& path, const ExtractorOptions& wanted = {});
 /// In one transaction, other layers of the file untouched; the old file stays whole on failure.
 Result<void> saveLibrary(const LandmarkLibrary& library, const std::string& path);

@@ -12,16 +12,22 @@ Result<void> RecogniserOptions::check() const {
         return Error{ErrorCode::InvalidArgument, message, option};
     };
     if (!(ratio > 0.0 && ratio <= 1.0)) return wrong("the ratio must be above 0 and at most 1", "ratio");
-    if (!(placeRatio > 0.0 && placeRatio <= 1.0)) return wrong("the ratio must be above 0 and at most 1", "placeRatio");
-    if (neighbours < 2 || neighbours > 64) return wrong("between 2 and 64 neighbours are looked at", "neighbours");
-    if (searchChecks < 1 || searchChecks > 100000) return wrong("between 1 and 100000 leaves are visited", "searchChecks");
+    if (!(placeRatio > 0.0 && placeRatio <= 1.0))
+        return wrong("the ratio must be above 0 and at most 1", "placeRatio");
+    if (neighbours < 2 || neighbours > 64)
+        return wrong("between 2 and 64 neighbours are looked at", "neighbours");
+    if (searchChecks < 1 || searchChecks > 100000)
+        return wrong("between 1 and 100000 leaves are visited", "searchChecks");
     if (minInliers < 4) return wrong("a homography needs at least 4 inliers", "minInliers");
     if (minPlaceInliers < 8) return wrong("epipolar geometry needs at least 8 inliers", "minPlaceInliers");
     if (!(minPatchCorrelation >= -1.0 && minPatchCorrelation <= 1.0))
         return wrong("a correlation lies between -1 and 1", "minPatchCorrelation");
-    if (placeCandidates < 1 || placeCandidates > 1000) return wrong("between 1 and 1000 candidates", "placeCandidates");
-    if (!(reprojectionPx > 0.0 && reprojectionPx < 100.0)) return wrong("between 0 and 100 pixels", "reprojectionPx");
-    if (!(minSharpness >= 0.0 && minSharpness < 1000.0)) return wrong("between 0 and 1000 grey levels", "minSharpness");
+    if (placeCandidates < 1 || placeCandidates > 1000)
+        return wrong("between 1 and 1000 candidates", "placeCandidates");
+    if (!(reprojectionPx > 0.0 && reprojectionPx < 100.0))
+        return wrong("between 0 and 100 pixels", "reprojectionPx");
+    if (!(minSharpness >= 0.0 && minSharpness < 1000.0))
+        return wrong("between 0 and 1000 grey levels", "minSharpness");
     return {};
 }
 
@@ -31,8 +37,10 @@ struct LandmarkRecogniser::Index {
     PlaceMatcher places;
 };
 
-LandmarkRecogniser::LandmarkRecogniser(std::shared_ptr<const LandmarkLibrary> library, RecogniserOptions options)
-    : m_library(std::move(library)), m_options(options),
+LandmarkRecogniser::LandmarkRecogniser(std::shared_ptr<const LandmarkLibrary> library,
+                                       RecogniserOptions options)
+    : m_library(std::move(library)),
+      m_options(options),
       m_index(new Index{FeatureExtractor(m_library->extractor), ObjectMatcher(*m_library, options),
                         PlaceMatcher(*m_library, options)}) {}
 
@@ -55,6 +63,8 @@ DetectorResult LandmarkRecogniser::recognise(const cv::Mat& image) const {
     return result;
 }
 
-const LandmarkLibrary& LandmarkRecogniser::library() const { return *m_library; }
+const LandmarkLibrary& LandmarkRecogniser::library() const {
+    return *m_library;
+}
 
 } // namespace farol::recognition

@@ -1,7 +1,8 @@
 #pragma once
-// Finds trained templates in a frame: one index over all templates, ratio test against other templates, vote on
-// centre, scale and angle, MAGSAC homography, sane quad, patch correlation. Kind place is a whole view, not a plane:
-// candidates by votes of the k nearest, then epipolar geometry; at most one place a frame is told.
+// Finds trained templates in a frame: one index over all templates, ratio test against other templates, vote
+// on centre, scale and angle, MAGSAC homography, sane quad, patch correlation. Kind place is a whole view,
+// not a plane: candidates by votes of the k nearest, then epipolar geometry; at most one place a frame is
+// told.
 
 #include "core/recognition/detection.h"
 #include "core/recognition/feature_extractor.h"
@@ -12,16 +13,16 @@
 namespace farol::recognition {
 
 struct RecogniserOptions {
-    double ratio = 0.85;           ///< to the first neighbour of another template
+    double ratio = 0.85; ///< to the first neighbour of another template
     int neighbours = 8;
-    int searchChecks = 64;         ///< leaves visited in the KD-trees
-    int minInliers = 6;            ///< of an object
+    int searchChecks = 64; ///< leaves visited in the KD-trees
+    int minInliers = 6;    ///< of an object
     double minPatchCorrelation = 0.4;
     int minPlaceInliers = 12;
     double placeRatio = 0.8;
-    int placeCandidates = 5;       ///< verified one by one
+    int placeCandidates = 5; ///< verified one by one
     double reprojectionPx = 4.0;
-    double minSharpness = 3.0;     ///< of the blur gate; see sharpness.h. Blank walls score 1, dim corridors 6
+    double minSharpness = 3.0; ///< of the blur gate; see sharpness.h. Blank walls score 1, dim corridors 6
 
     Result<void> check() const;
 };

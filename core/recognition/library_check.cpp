@@ -22,8 +22,10 @@ void look(const LandmarkRecogniser& recogniser, const View& view, bool heldBack,
     if (!image) return;
     bool found = false;
     for (const Detection& detection : recogniser.recognise(*image).detections) {
-        if (detection.templateId == check.id) found = true;
-        else ++check.confusedWith[detection.templateId.value];
+        if (detection.templateId == check.id)
+            found = true;
+        else
+            ++check.confusedWith[detection.templateId.value];
     }
     if (!heldBack) return;
     ++check.tested;
@@ -41,7 +43,8 @@ std::vector<TemplateCheck> checkLibrary(const LandmarkLibrary& library, const Re
         rounds = std::max(rounds, entry.views.size());
     }
     std::size_t done = 0;
-    // One view of every template at a time: as many indexes as the richest template has views, not one for each.
+    // One view of every template at a time: as many indexes as the richest template has views, not one for
+    // each.
     for (std::size_t held = 0; held < rounds; ++held) {
         LandmarkRecogniser recogniser(without(library, held), options);
         for (std::size_t i = 0; i < library.templates.size(); ++i) {

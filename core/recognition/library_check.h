@@ -1,5 +1,6 @@
 #pragma once
-// Will a template be found, and what is it confused with? Each view is held back once and looked for with the rest.
+// Will a template be found, and what is it confused with? Each view is held back once and looked for with the
+// rest.
 
 #include "core/recognition/landmark_recogniser.h"
 

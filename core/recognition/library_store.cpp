@@ -1,10 +1,9 @@
-#include "core/recognition/landmark_library.h"
-
 #include "core/base/file.h"
 #include "core/base/log.h"
 #include "core/base/ogr.h"
 #include "core/base/text.h"
 #include "core/recognition/feature_blobs.h"
+#include "core/recognition/landmark_library.h"
 
 #include <ogrsf_frmts.h>
 
@@ -27,7 +26,8 @@ constexpr int kSchema = 1;
 
 std::string text(const OGRFeature& feature, const char* field) {
     int at = feature.GetFieldIndex(field);
-    return at < 0 || feature.IsFieldSetAndNotNull(at) == 0 ? std::string() : std::string(feature.GetFieldAsString(at));
+    return at < 0 || feature.IsFieldSetAndNotNull(at) == 0 ? std::string()
+                                                           : std::string(feature.GetFieldAsString(at));
 }
 
 std::optional<double> number(const OGRFeature& feature, const char* field) {
@@ -43,12 +43,15 @@ std::string blob(OGRFeature& feature, const char* field) {
     if (feature.GetFieldDefnRef(at)->GetType() != OFTBinary) return {};
     int bytes = 0;
     GByte* data = feature.GetFieldAsBinary(at, &bytes);
-    return data == nullptr || bytes <= 0 ? std::string() : std::string(reinterpret_cast<char*>(data), static_cast<std::size_t>(bytes));
+    return data == nullptr || bytes <= 0
+               ? std::string()
+               : std::string(reinterpret_cast<char*>(data), static_cast<std::size_t>(bytes));
 }
 
 std::string outlineText(const Quad& outline) {
     std::string out;
-    for (const ImagePoint& p : outline) out += (out.empty() ? "" : ",") + formatNumber(p.x) + "," + formatNumber(p.y);
+    for (const ImagePoint& p : outline)
+        out += (out.empty() ? "" : ",") + formatNumber(p.x) + "," + formatNumber(p.y);
     return out;
 }
 
@@ -58,7 +61,8 @@ std::optional<Quad> outlineFrom(const std::string& words) {
     const char* end = at + words.size();
     for (std::size_t i = 0; i < values.size(); ++i) {
         auto [next, failed] = std::from_chars(at, end, values[i]);
-        if (failed != std::errc() || !std::isfinite(values[i]) || std::abs(values[i]) > 1e6) return std::nullopt;
+        if (failed != std::errc() || !std::isfinite(values[i]) || std::abs(values[i]) > 1e6)
+            return std::nullopt;
         at = next;
         if (i + 1 < values.size() && (at == end || *at++ != ',')) return std::nullopt;
     }
@@ -69,8 +73,10 @@ std::optional<Quad> outlineFrom(const std::string& words) {
 }
 
 std::string parametersText(const ExtractorOptions& options) {
-    return "version=" + std::to_string(options.version) + " long_side=" + std::to_string(options.workingLongSide) +
-           " keypoints=" + std::to_string(options.maxKeypoints) + " contrast=" + formatNumber(options.contrastThreshold);
+    return "version=" + std::to_string(options.version) +
+           " long_side=" + std::to_string(options.workingLongSide) +
+           " keypoints=" + std::to_string(options.maxKeypoints) +
+           " contrast=" + formatNumber(options.contrastThreshold);
 }
 
 /// Unknown words are kept out: a later program would have raised the version.
@@ -82,7 +88,8 @@ std::optional<ExtractorOptions> extractorFrom(const std::string& name, const std
         if (equals == std::string::npos) return std::nullopt;
         double value = 0.0;
         auto [next, failed] = std::from_chars(word.data() + equals + 1, word.data() + word.size(), value);
-        if (failed != std::errc() || next != word.data() + word.size() || !(std::abs(value) < 1e9)) return std::nullopt;
+        if (failed != std::errc() || next != word.data() + word.size() || !(std::abs(value) < 1e9))
+            return std::nullopt;
         values[word.substr(0, equals)] = value;
     }
     for (const char* key : {"version", "long_side", "keypoints", "contrast"})
@@ -112,11 +119,12 @@ Result<void> checkSchema(GDALDataset& dataset, const std::string& path) {
         int schema = 0;
         auto [next, failed] = std::from_chars(value.data(), value.data() + value.size(), schema);
         if (failed != std::errc() || next != value.data() + value.size())
-            return Error{ErrorCode::Corrupt, "the library's version is not a number: \"" + value + "\"", path};
+            return Error{ErrorCode::Corrupt, "the library's version is not a number: \"" + value + "\"",
+                         path};
         if (schema > kSchema)
             return Error{ErrorCode::UnsupportedFormat,
-                         "the landmark library is of a later version (" + value + ") than this program knows (" +
-                             std::to_string(kSchema) + "); update Farol",
+                         "the landmark library is of a later version (" + value +
+                             ") than this program knows (" + std::to_string(kSchema) + "); update Farol",
                          path};
     }
     return {};
@@ -135,7 +143,8 @@ Result<void> readTemplates(OGRLayer& layer, const std::string& path, LandmarkLib
         entry.kind = known.value_or(Kind::Other);
         if (!known) {
             entry.unknownKind = kind;
-            logWarning(where + ": kind \"" + kind + "\" of template " + entry.id.value + " is not known; used as other");
+            logWarning(where + ": kind \"" + kind + "\" of template " + entry.id.value +
+                       " is not known; used as other");
         }
         entry.name = text(*feature, "name");
         entry.widthM = number(*feature, "width_m");
@@ -168,10 +177,12 @@ StoredView storedView(OGRFeature& feature, const std::string& path, int ordinal)
     return stored;
 }
 
-Result<void> checkExtractor(const StoredView& stored, const ExtractorOptions& wanted, ExtractorOptions& found) {
+Result<void> checkExtractor(const StoredView& stored, const ExtractorOptions& wanted,
+                            ExtractorOptions& found) {
     auto options = extractorFrom(stored.extractor, stored.parameters);
     if (!options)
-        return Error{ErrorCode::Corrupt, "the extractor's parameters cannot be read: \"" + stored.parameters + "\"",
+        return Error{ErrorCode::Corrupt,
+                     "the extractor's parameters cannot be read: \"" + stored.parameters + "\"",
                      stored.where};
     found = *options;
     if (found == wanted) return {};
@@ -183,21 +194,24 @@ Result<void> checkExtractor(const StoredView& stored, const ExtractorOptions& wa
 
 Result<View> finishedView(StoredView stored) {
     auto damaged = [&](const std::string& what) {
-        return Error{ErrorCode::Corrupt, what + "; the library is damaged: restore it or train this view again", stored.where};
+        return Error{ErrorCode::Corrupt,
+                     what + "; the library is damaged: restore it or train this view again", stored.where};
     };
     auto outline = outlineFrom(stored.outline);
     if (!outline) return damaged("the outline \"" + stored.outline + "\" is not eight numbers");
     stored.view.outline = *outline;
     auto features = decodeFeatures(stored.keypoints, stored.descriptors);
     if (!features) return damaged(features.error().message);
-    if (stored.view.size.width < 1 || stored.view.size.height < 1) return damaged("the photograph's size is missing");
+    if (stored.view.size.width < 1 || stored.view.size.height < 1)
+        return damaged("the photograph's size is missing");
     if (checksumText(stored.view, {stored.keypoints, stored.descriptors}) != stored.checksum)
         return damaged("the checksum does not fit the photograph and its features");
     stored.view.features = std::move(*features);
     return std::move(stored.view);
 }
 
-Result<void> readViews(OGRLayer& layer, const std::string& path, const ExtractorOptions& wanted, LandmarkLibrary& library) {
+Result<void> readViews(OGRLayer& layer, const std::string& path, const ExtractorOptions& wanted,
+                       LandmarkLibrary& library) {
     std::map<std::string, Template*> byName;
     for (Template& entry : library.templates) byName[entry.id.value] = &entry;
     std::map<std::string, int> ordinals;
@@ -205,7 +219,8 @@ Result<void> readViews(OGRLayer& layer, const std::string& path, const Extractor
         StoredView stored = storedView(*feature, path, ordinals[text(*feature, "template")]++);
         auto owner = byName.find(stored.templateName);
         if (owner == byName.end())
-            return Error{ErrorCode::Corrupt, "a view belongs to a template that is not in the library", stored.where};
+            return Error{ErrorCode::Corrupt, "a view belongs to a template that is not in the library",
+                         stored.where};
         if (auto same = checkExtractor(stored, wanted, library.extractor); !same) return same;
         auto view = finishedView(std::move(stored));
         if (!view) return view.error();
@@ -226,7 +241,8 @@ Result<OGRLayer*> freshLayer(GDALDataset& dataset, const char* name, std::initia
         if (std::string(dataset.GetLayer(i)->GetName()) == name && dataset.DeleteLayer(i) != OGRERR_NONE)
             return messages.error(ErrorCode::Io, "cannot replace the layer", path + ", layer " + name);
     OGRLayer* layer = dataset.CreateLayer(name, nullptr, wkbNone);
-    if (layer == nullptr) return messages.error(ErrorCode::Io, "cannot make the layer", path + ", layer " + name);
+    if (layer == nullptr)
+        return messages.error(ErrorCode::Io, "cannot make the layer", path + ", layer " + name);
     for (const Field& field : fields) {
         OGRFieldDefn definition(field.name, field.type);
         if (layer->CreateField(&definition) != OGRERR_NONE)
@@ -254,7 +270,8 @@ Result<void> writeSchema(GDALDataset& dataset, const std::string& path) {
     int key = feature.GetFieldIndex("key");
     int value = feature.GetFieldIndex("value");
     if (key < 0 || value < 0)
-        return Error{ErrorCode::Conflict, "the layer has no fields key and value: this is not one of Farol's files",
+        return Error{ErrorCode::Conflict,
+                     "the layer has no fields key and value: this is not one of Farol's files",
                      path + ", layer farol"};
     feature.SetField(key, kSchemaKey);
     feature.SetField(value, std::to_string(kSchema).c_str());
@@ -267,7 +284,8 @@ Result<void> writeTemplate(OGRLayer& layer, const Template& entry, const std::st
     GdalMessages messages;
     OGRFeature feature(layer.GetLayerDefn());
     feature.SetField("template", entry.id.value.c_str());
-    feature.SetField("kind", entry.unknownKind.empty() ? std::string(kindName(entry.kind)).c_str() : entry.unknownKind.c_str());
+    feature.SetField("kind", entry.unknownKind.empty() ? std::string(kindName(entry.kind)).c_str()
+                                                       : entry.unknownKind.c_str());
     if (!entry.name.empty()) feature.SetField("name", entry.name.c_str());
     if (entry.widthM) feature.SetField("width_m", *entry.widthM);
     if (entry.heightM) feature.SetField("height_m", *entry.heightM);
@@ -276,8 +294,8 @@ Result<void> writeTemplate(OGRLayer& layer, const Template& entry, const std::st
     return {};
 }
 
-Result<void> writeView(OGRLayer& layer, const LandmarkLibrary& library, const Template& entry, const View& view,
-                       const std::string& path) {
+Result<void> writeView(OGRLayer& layer, const LandmarkLibrary& library, const Template& entry,
+                       const View& view, const std::string& path) {
     GdalMessages messages;
     FeatureBlobs blobs = encodeFeatures(view.features);
     OGRFeature feature(layer.GetLayerDefn());
@@ -301,14 +319,23 @@ Result<void> writeView(OGRLayer& layer, const LandmarkLibrary& library, const Te
 
 Result<void> writeLayers(GDALDataset& dataset, const LandmarkLibrary& library, const std::string& path) {
     auto templates = freshLayer(dataset, kTemplates,
-                                {{"template", OFTString}, {"kind", OFTString}, {"name", OFTString}, {"width_m", OFTReal},
+                                {{"template", OFTString},
+                                 {"kind", OFTString},
+                                 {"name", OFTString},
+                                 {"width_m", OFTReal},
                                  {"height_m", OFTReal}},
                                 path);
     if (!templates) return templates.error();
     auto views = freshLayer(dataset, kViews,
-                            {{"template", OFTString}, {"width_px", OFTInteger}, {"height_px", OFTInteger},
-                             {"outline", OFTString}, {"extractor", OFTString}, {"extractor_parameters", OFTString},
-                             {"checksum", OFTString}, {"jpeg", OFTBinary}, {"keypoints", OFTBinary},
+                            {{"template", OFTString},
+                             {"width_px", OFTInteger},
+                             {"height_px", OFTInteger},
+                             {"outline", OFTString},
+                             {"extractor", OFTString},
+                             {"extractor_parameters", OFTString},
+                             {"checksum", OFTString},
+                             {"jpeg", OFTBinary},
+                             {"keypoints", OFTBinary},
                              {"descriptors", OFTBinary}},
                             path);
     if (!views) return views.error();
@@ -320,21 +347,26 @@ Result<void> writeLayers(GDALDataset& dataset, const LandmarkLibrary& library, c
     return writeSchema(dataset, path);
 }
 
-Result<void> writeInto(const std::filesystem::path& temporary, const LandmarkLibrary& library, const std::string& path) {
+Result<void> writeInto(const std::filesystem::path& temporary, const LandmarkLibrary& library,
+                       const std::string& path) {
     std::error_code failure;
     bool exists = std::filesystem::exists(temporary, failure);
-    auto dataset = exists ? openVector(temporary.string(), OpenMode::Update) : createGeoPackage(temporary.string());
+    auto dataset =
+        exists ? openVector(temporary.string(), OpenMode::Update) : createGeoPackage(temporary.string());
     if (!dataset) {
         Error error = dataset.error();
         error.context = path; // not the temporary file's name, which says nothing to anyone
         return error;
     }
     if (std::string((*dataset)->GetDriverName()) != "GPKG")
-        return Error{ErrorCode::UnsupportedFormat, "is not a GeoPackage, and a library is kept in one (*.gpkg)", path};
+        return Error{ErrorCode::UnsupportedFormat,
+                     "is not a GeoPackage, and a library is kept in one (*.gpkg)", path};
     GdalMessages messages;
-    if ((*dataset)->StartTransaction() != OGRERR_NONE) return messages.error(ErrorCode::Io, "cannot begin to write", path);
+    if ((*dataset)->StartTransaction() != OGRERR_NONE)
+        return messages.error(ErrorCode::Io, "cannot begin to write", path);
     if (auto written = writeLayers(**dataset, library, path); !written) return written;
-    if ((*dataset)->CommitTransaction() != OGRERR_NONE) return messages.error(ErrorCode::Io, "cannot finish writing", path);
+    if ((*dataset)->CommitTransaction() != OGRERR_NONE)
+        return messages.error(ErrorCode::Io, "cannot finish writing", path);
     return closeVector(std::move(*dataset), path);
 }
 
@@ -353,7 +385,8 @@ Result<LandmarkLibrary> loadLibrary(const std::string& path, const ExtractorOpti
     library.extractor = wanted;
     if (auto read = readTemplates(*templates, path, library); !read) return read.error();
     if (auto read = readViews(*views, path, wanted, library); !read) return read.error();
-    if (messages.failed()) return messages.error(ErrorCode::Corrupt, "the landmark library cannot be read", path);
+    if (messages.failed())
+        return messages.error(ErrorCode::Corrupt, "the landmark library cannot be read", path);
     return library;
 }
 

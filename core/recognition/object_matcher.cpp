@@ -17,8 +17,8 @@ namespace farol::recognition {
 
 namespace {
 
-constexpr int kPatch = 64;          // side of the compared patch
-constexpr int kBlock = 16;          // compared block by block, so that a hidden part spoils only its own
+constexpr int kPatch = 64;             // side of the compared patch
+constexpr int kBlock = 16;             // compared block by block, so that a hidden part spoils only its own
 constexpr std::size_t kBestBlocks = 8; // of 16: the other half may be hidden
 constexpr std::size_t kFewestVotes = 4;
 constexpr std::size_t kMostCandidates = 8;
@@ -45,7 +45,8 @@ const char* insaneQuad(const std::array<cv::Point2f, 4>& quad, cv::Size frame) {
     double height = (side[1] + side[3]) / 2.0;
     if (std::max(width, height) > 8.0 * std::min(width, height)) return "sliver_quad";
     for (const cv::Point2f& p : quad)
-        if (p.x < -0.65 * frame.width || p.y < -0.8 * frame.height || p.x > 1.65 * frame.width || p.y > 1.8 * frame.height)
+        if (p.x < -0.65 * frame.width || p.y < -0.8 * frame.height || p.x > 1.65 * frame.width ||
+            p.y > 1.8 * frame.height)
             return "outside_frame";
     return nullptr;
 }
@@ -70,7 +71,8 @@ cv::Mat patchOf(const View& view, const Plane& plane) {
     cv::Matx33d toPlane(plane.width / kPatch, 0, 0, 0, plane.height / kPatch, 0, 0, 0, 1);
     cv::Mat patch;
     cv::warpPerspective(grey, patch, half * planeToQuad(plane, view.outline) * toPlane * half.inv(),
-                        cv::Size(kPatch, kPatch), cv::INTER_LINEAR | cv::WARP_INVERSE_MAP, cv::BORDER_REPLICATE);
+                        cv::Size(kPatch, kPatch), cv::INTER_LINEAR | cv::WARP_INVERSE_MAP,
+                        cv::BORDER_REPLICATE);
     return patch;
 }
 
@@ -102,7 +104,8 @@ double blockCorrelation(const cv::Mat& a, const cv::Mat& b) {
 
 } // namespace
 
-ObjectMatcher::ObjectMatcher(const LandmarkLibrary& library, const RecogniserOptions& options) : m_options(options) {
+ObjectMatcher::ObjectMatcher(const LandmarkLibrary& library, const RecogniserOptions& options)
+    : m_options(options) {
     std::vector<cv::Mat> descriptors;
     for (const Template& entry : library.templates)
         if (entry.kind != Kind::Place && !entry.views.empty()) addObject(entry, descriptors);
@@ -115,7 +118,8 @@ ObjectMatcher::ObjectMatcher(const LandmarkLibrary& library, const RecogniserOpt
 void ObjectMatcher::addObject(const Template& entry, std::vector<cv::Mat>& descriptors) {
     const View& best = *bestView(entry);
     Plane plane = planeOf(best.outline, entry.widthM, entry.heightM);
-    Object object{&entry, cv::Point2f(static_cast<float>(plane.width), static_cast<float>(plane.height)), patchOf(best, plane)};
+    Object object{&entry, cv::Point2f(static_cast<float>(plane.width), static_cast<float>(plane.height)),
+                  patchOf(best, plane)};
     int number = static_cast<int>(m_objects.size());
     for (const View& view : entry.views) {
         cv::Matx33d photoToPlane = planeToQuad(plane, view.outline).inv();
@@ -153,15 +157,17 @@ std::vector<std::vector<ObjectMatcher::Pair>> ObjectMatcher::pairsByObject(const
         std::size_t first = static_cast<std::size_t>(query) * static_cast<std::size_t>(near.each);
         if (near.rows[first] < 0) continue;
         int object = m_rows[static_cast<std::size_t>(near.rows[first])].object;
-        // The views of one template show the same points: only another template's neighbour says how unusual this
-        // one is. Where all are of one template, the farthest of them stands in.
+        // The views of one template show the same points: only another template's neighbour says how unusual
+        // this one is. Where all are of one template, the farthest of them stands in.
         float rival = 0.0F;
-        for (std::size_t i = first + 1; i < first + static_cast<std::size_t>(near.each) && near.rows[i] >= 0; ++i) {
+        for (std::size_t i = first + 1; i < first + static_cast<std::size_t>(near.each) && near.rows[i] >= 0;
+             ++i) {
             rival = near.distances[i];
             if (m_rows[static_cast<std::size_t>(near.rows[i])].object != object) break;
         }
         float ratio = rival > 0.0F ? std::sqrt(near.distances[first] / rival) : 0.0F;
-        if (ratio < m_options.ratio) pairs[static_cast<std::size_t>(object)].push_back({query, near.rows[first], ratio});
+        if (ratio < m_options.ratio)
+            pairs[static_cast<std::size_t>(object)].push_back({query, near.rows[first], ratio});
     }
     return pairs;
 }
@@ -179,7 +185,8 @@ ObjectMatcher::Candidate ObjectMatcher::largestCluster(int object, const std::ve
         float scale = seen.size / row.size;
         float angle = (seen.angle - row.angle) * static_cast<float>(kPi / 180.0);
         cv::Point2f t = row.toCentre;
-        cv::Point2f turned(t.x * std::cos(angle) - t.y * std::sin(angle), t.x * std::sin(angle) + t.y * std::cos(angle));
+        cv::Point2f turned(t.x * std::cos(angle) - t.y * std::sin(angle),
+                           t.x * std::sin(angle) + t.y * std::cos(angle));
         votes.push_back({seen.pt + turned * scale, std::log2(scale * row.extent), angle});
     }
     auto agree = [&](const Vote& a, const Vote& b, float reach, float logScale, float cosine) {
@@ -189,8 +196,10 @@ ObjectMatcher::Candidate ObjectMatcher::largestCluster(int object, const std::ve
     std::size_t most = 0;
     const Vote* seed = nullptr;
     for (const Vote& vote : votes) {
-        auto count = static_cast<std::size_t>(std::count_if(
-            votes.begin(), votes.end(), [&](const Vote& other) { return agree(vote, other, 0.35F, 0.8F, 0.8F); }));
+        auto count =
+            static_cast<std::size_t>(std::count_if(votes.begin(), votes.end(), [&](const Vote& other) {
+                return agree(vote, other, 0.35F, 0.8F, 0.8F);
+            }));
         if (count > most) {
             most = count;
             seed = &vote;
@@ -206,7 +215,8 @@ ObjectMatcher::Candidate ObjectMatcher::largestCluster(int object, const std::ve
     return candidate;
 }
 
-double ObjectMatcher::patchCorrelation(const Object& object, const cv::Mat& grey, const cv::Matx33d& planeToFrame) const {
+double ObjectMatcher::patchCorrelation(const Object& object, const cv::Mat& grey,
+                                       const cv::Matx33d& planeToFrame) const {
     if (object.patch.empty()) return 1.0; // the photograph is gone: geometry alone decides
     cv::Matx33d half(1, 0, -0.5, 0, 1, -0.5, 0, 0, 1);
     cv::Matx33d toPlane(object.planeSize.x / kPatch, 0, 0, 0, object.planeSize.y / kPatch, 0, 0, 0, 1);
@@ -220,7 +230,8 @@ double ObjectMatcher::patchCorrelation(const Object& object, const cv::Mat& grey
             blocks.push_back(blockCorrelation(seen(block), object.patch(block)));
         }
     std::sort(blocks.begin(), blocks.end(), std::greater<>());
-    return std::accumulate(blocks.begin(), blocks.begin() + kBestBlocks, 0.0) / static_cast<double>(kBestBlocks);
+    return std::accumulate(blocks.begin(), blocks.begin() + kBestBlocks, 0.0) /
+           static_cast<double>(kBestBlocks);
 }
 
 void ObjectMatcher::verify(const Candidate& candidate, const cv::Mat& grey, const Features& frame,
@@ -249,7 +260,8 @@ void ObjectMatcher::verify(const Candidate& candidate, const cv::Mat& grey, cons
     Plane shape{object.planeSize.x, object.planeSize.y};
     auto corners = mapped(planeToFrame, shape.corners());
     rejection.quad = quadFrom(corners);
-    if (const char* reason = insaneQuad(corners, grey.size())) return reject(reason, static_cast<double>(candidate.pairs.size()));
+    if (const char* reason = insaneQuad(corners, grey.size()))
+        return reject(reason, static_cast<double>(candidate.pairs.size()));
     int inliers = 0;
     for (std::size_t i = 0; i < plane.size(); ++i)
         if (cv::norm(mapped(planeToFrame, cv::Point2d(plane[i])) - cv::Point2d(seen[i])) < reach) ++inliers;

@@ -24,7 +24,7 @@ private:
         cv::Point2f onPlane;  ///< in the plane's coordinates
         cv::Point2f toCentre; ///< from the keypoint to the object's centre, in the picture it was seen in
         float size = 0.0F, angle = 0.0F; ///< of the keypoint there
-        float extent = 0.0F;  ///< of the object there: square root of its area
+        float extent = 0.0F;             ///< of the object there: square root of its area
     };
     struct Object {
         const Template* entry = nullptr;
@@ -44,7 +44,8 @@ private:
     void addObject(const Template& entry, std::vector<cv::Mat>& descriptors);
     std::vector<std::vector<Pair>> pairsByObject(const Features& frame) const;
     Candidate largestCluster(int object, const std::vector<Pair>& pairs, const Features& frame) const;
-    void verify(const Candidate& candidate, const cv::Mat& grey, const Features& frame, DetectorResult& result) const;
+    void verify(const Candidate& candidate, const cv::Mat& grey, const Features& frame,
+                DetectorResult& result) const;
     double patchCorrelation(const Object& object, const cv::Mat& grey, const cv::Matx33d& planeToFrame) const;
 
     RecogniserOptions m_options;

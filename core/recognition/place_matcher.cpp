@@ -35,13 +35,15 @@ std::vector<RowMatch> oneToOne(std::vector<RowMatch> matches) {
     }
     matches.clear();
     for (const auto& [row, match] : best) matches.push_back(match);
-    std::stable_sort(matches.begin(), matches.end(), [](const RowMatch& a, const RowMatch& b) { return a.ratio < b.ratio; });
+    std::stable_sort(matches.begin(), matches.end(),
+                     [](const RowMatch& a, const RowMatch& b) { return a.ratio < b.ratio; });
     return matches;
 }
 
-/// A camera that a person wears rolls as a whole: true matches turn by the same angle and grow within bounds, chance
-/// ones by any. This alone removes nine of ten chance matches.
-std::vector<RowMatch> sameRoll(const std::vector<RowMatch>& matches, const Features& frame, const Features& view) {
+/// A camera that a person wears rolls as a whole: true matches turn by the same angle and grow within bounds,
+/// chance ones by any. This alone removes nine of ten chance matches.
+std::vector<RowMatch> sameRoll(const std::vector<RowMatch>& matches, const Features& frame,
+                               const Features& view) {
     constexpr float kReach = 20.0F; // degrees
     auto turn = [&](const RowMatch& m) {
         return angleBetween(frame.keypoints[static_cast<std::size_t>(m.query)].angle,
@@ -56,8 +58,9 @@ std::vector<RowMatch> sameRoll(const std::vector<RowMatch>& matches, const Featu
     std::ptrdiff_t most = -1;
     for (int roll = -45; roll <= 45; roll += 5) {
         auto r = static_cast<float>(roll);
-        auto count = std::count_if(matches.begin(), matches.end(),
-                                   [&](const RowMatch& m) { return std::abs(angleBetween(turn(m), r)) < kReach; });
+        auto count = std::count_if(matches.begin(), matches.end(), [&](const RowMatch& m) {
+            return std::abs(angleBetween(turn(m), r)) < kReach;
+        });
         if (count > most || (count == most && std::abs(r) < std::abs(bestRoll))) {
             most = count;
             bestRoll = r;
@@ -73,7 +76,8 @@ std::vector<RowMatch> sameRoll(const std::vector<RowMatch>& matches, const Featu
 int occupiedCells(const std::vector<cv::Point2f>& points, ImageSize size) {
     std::set<int> cells;
     for (const cv::Point2f& p : points) {
-        int x = std::clamp(static_cast<int>(p.x * kColumns / static_cast<float>(size.width)), 0, kColumns - 1);
+        int x =
+            std::clamp(static_cast<int>(p.x * kColumns / static_cast<float>(size.width)), 0, kColumns - 1);
         int y = std::clamp(static_cast<int>(p.y * kRows / static_cast<float>(size.height)), 0, kRows - 1);
         cells.insert(y * kColumns + x);
     }
@@ -97,9 +101,12 @@ double spreadOf(const std::vector<cv::Point2f>& points, ImageSize size) {
 
 } // namespace
 
-double PlaceSupport::strength() const { return std::sqrt(static_cast<double>(inliers) * cells); }
+double PlaceSupport::strength() const {
+    return std::sqrt(static_cast<double>(inliers) * cells);
+}
 
-PlaceMatcher::PlaceMatcher(const LandmarkLibrary& library, const RecogniserOptions& options) : m_options(options) {
+PlaceMatcher::PlaceMatcher(const LandmarkLibrary& library, const RecogniserOptions& options)
+    : m_options(options) {
     std::vector<cv::Mat> descriptors;
     for (const Template& entry : library.templates) {
         if (entry.kind != Kind::Place) continue;
@@ -124,13 +131,14 @@ std::vector<int> PlaceMatcher::candidates(const Features& frame) const {
         std::size_t first = static_cast<std::size_t>(query) * static_cast<std::size_t>(near.each);
         std::size_t last = first;
         while (last + 1 < first + static_cast<std::size_t>(near.each) && near.rows[last + 1] >= 0) ++last;
-        // The farthest of them says how far chance alone would be; neighbouring places share what they see, so a
-        // ratio to the next place would silence exactly the best points.
+        // The farthest of them says how far chance alone would be; neighbouring places share what they see,
+        // so a ratio to the next place would silence exactly the best points.
         float noise = std::max(near.distances[last], 1.0F);
         std::set<int> voted;
         for (std::size_t i = first; i < last; ++i) {
             int view = m_viewOfRow[static_cast<std::size_t>(near.rows[i])];
-            if (voted.insert(view).second) votes[static_cast<std::size_t>(view)] += 1.0 - near.distances[i] / noise;
+            if (voted.insert(view).second)
+                votes[static_cast<std::size_t>(view)] += 1.0 - near.distances[i] / noise;
         }
     }
     std::vector<int> order(m_views.size());
@@ -147,8 +155,9 @@ PlaceSupport PlaceMatcher::verified(ImageSize frameSize, const Features& frame, 
     const View& trained = *m_views[static_cast<std::size_t>(view)].view;
     PlaceSupport support;
     support.view = view;
-    auto matches = sameRoll(oneToOne(ratioMatches(frame.descriptors, trained.features.descriptors, m_options.placeRatio)),
-                            frame, trained.features);
+    auto matches = sameRoll(
+        oneToOne(ratioMatches(frame.descriptors, trained.features.descriptors, m_options.placeRatio)), frame,
+        trained.features);
     support.matches = static_cast<int>(matches.size());
     if (matches.size() < 8) return support;
     std::vector<cv::Point2f> here, there;
@@ -179,8 +188,9 @@ std::vector<PlaceSupport> PlaceMatcher::supports(ImageSize frameSize, const Feat
     std::vector<PlaceSupport> supports;
     if (empty() || frame.descriptors.rows < 8) return supports;
     for (int view : candidates(frame)) supports.push_back(verified(frameSize, frame, view));
-    std::stable_sort(supports.begin(), supports.end(),
-                     [](const PlaceSupport& a, const PlaceSupport& b) { return a.strength() > b.strength(); });
+    std::stable_sort(supports.begin(), supports.end(), [](const PlaceSupport& a, const PlaceSupport& b) {
+        return a.strength() > b.strength();
+    });
     return supports;
 }
 
@@ -195,10 +205,12 @@ DetectorResult PlaceMatcher::match(ImageSize frameSize, const Features& frame) c
     DetectorResult result;
     auto ranked = supports(frameSize, frame);
     if (ranked.empty()) return result;
-    Quad whole = quadOf({0.0, 0.0, static_cast<double>(frameSize.width), static_cast<double>(frameSize.height)});
+    Quad whole =
+        quadOf({0.0, 0.0, static_cast<double>(frameSize.width), static_cast<double>(frameSize.height)});
     const PlaceSupport& best = ranked.front();
     auto reject = [&](const PlaceSupport& support, const char* reason, double value) {
-        result.rejections.push_back({"landmarks", Kind::Place, placeOf(support.view).id, whole, reason, value});
+        result.rejections.push_back(
+            {"landmarks", Kind::Place, placeOf(support.view).id, whole, reason, value});
     };
     if (best.inliers < m_options.minPlaceInliers) {
         reject(best, "few_inliers", best.inliers);
@@ -222,7 +234,8 @@ DetectorResult PlaceMatcher::match(ImageSize frameSize, const Features& frame) c
     detection.quad = whole;
     detection.image = frameSize;
     detection.inliers = best.inliers;
-    // The support itself, not its lead: a neighbouring place that fits as well is no reason to doubt the spot.
+    // The support itself, not its lead: a neighbouring place that fits as well is no reason to doubt the
+    // spot.
     detection.score = best.strength() / (best.strength() + kLeastStrength);
     result.detections.push_back(std::move(detection));
     return result;

@@ -12,10 +12,10 @@ namespace farol::recognition {
 
 /// How well a frame fits one trained view of a place.
 struct PlaceSupport {
-    int view = 0;      ///< of PlaceMatcher
-    int matches = 0;   ///< that pass the ratio test and agree in roll and scale
-    int inliers = 0;   ///< of the epipolar geometry
-    int cells = 0;     ///< of the frame's 8 x 6 cells that hold an inlier
+    int view = 0;        ///< of PlaceMatcher
+    int matches = 0;     ///< that pass the ratio test and agree in roll and scale
+    int inliers = 0;     ///< of the epipolar geometry
+    int cells = 0;       ///< of the frame's 8 x 6 cells that hold an inlier
     double spread = 0.0; ///< share of the frame that the middle three quarters of them span
     double strength() const;
 };

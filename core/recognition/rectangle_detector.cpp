@@ -18,7 +18,8 @@ using Corners = std::array<cv::Point2f, 4>;
 /// Clockwise from the top left, as the object stands upright in the picture.
 Corners ordered(const std::vector<cv::Point>& polygon) {
     std::vector<cv::Point2f> points(polygon.begin(), polygon.end());
-    std::sort(points.begin(), points.end(), [](const auto& a, const auto& b) { return a.x + a.y < b.x + b.y; });
+    std::sort(points.begin(), points.end(),
+              [](const auto& a, const auto& b) { return a.x + a.y < b.x + b.y; });
     cv::Point2f topLeft = points.front();
     cv::Point2f bottomRight = points.back();
     cv::Point2f a = points[1];
@@ -72,7 +73,8 @@ void addQuads(const cv::Mat& binary, const RectangleDetectorOptions& options, st
 
 Quad inFullPicture(const Corners& corners, double scale) {
     Quad quad;
-    for (std::size_t i = 0; i < 4; ++i) quad[i] = {(corners[i].x + 0.5) / scale, (corners[i].y + 0.5) / scale};
+    for (std::size_t i = 0; i < 4; ++i)
+        quad[i] = {(corners[i].x + 0.5) / scale, (corners[i].y + 0.5) / scale};
     return quad;
 }
 
@@ -82,10 +84,14 @@ Result<void> RectangleDetectorOptions::check() const {
     auto wrong = [](const std::string& message, const char* option) {
         return Error{ErrorCode::InvalidArgument, message, option};
     };
-    if (!(minAreaShare > 0.0 && minAreaShare < 1.0)) return wrong("a share lies between 0 and 1", "minAreaShare");
-    if (!(maxAreaShare > minAreaShare && maxAreaShare <= 1.0)) return wrong("must be above the least share", "maxAreaShare");
-    if (!(maxCornerCosine > 0.0 && maxCornerCosine < 1.0)) return wrong("a cosine lies between 0 and 1", "maxCornerCosine");
-    if (!(maxTiltDegrees > 0.0 && maxTiltDegrees < 90.0)) return wrong("a tilt lies between 0 and 90 degrees", "maxTiltDegrees");
+    if (!(minAreaShare > 0.0 && minAreaShare < 1.0))
+        return wrong("a share lies between 0 and 1", "minAreaShare");
+    if (!(maxAreaShare > minAreaShare && maxAreaShare <= 1.0))
+        return wrong("must be above the least share", "maxAreaShare");
+    if (!(maxCornerCosine > 0.0 && maxCornerCosine < 1.0))
+        return wrong("a cosine lies between 0 and 1", "maxCornerCosine");
+    if (!(maxTiltDegrees > 0.0 && maxTiltDegrees < 90.0))
+        return wrong("a tilt lies between 0 and 90 degrees", "maxTiltDegrees");
     return {};
 }
 
@@ -105,13 +111,15 @@ DetectorResult detectRectangles(const cv::Mat& image, const RectangleDetectorOpt
     addQuads(light, options, found);
     cv::bitwise_not(light, light);
     addQuads(light, options, found);
-    std::stable_sort(found.begin(), found.end(), [](const Found& a, const Found& b) { return a.score > b.score; });
+    std::stable_sort(found.begin(), found.end(),
+                     [](const Found& a, const Found& b) { return a.score > b.score; });
     for (const Found& one : found) {
         Quad quad = inFullPicture(one.quad, scale);
         // The inner and the outer border of one frame, and the same border found twice, are one rectangle.
-        bool copy = std::any_of(result.detections.begin(), result.detections.end(), [&](const Detection& kept) {
-            return overlap(boundingBox(kept.quad), boundingBox(quad)) > 0.65;
-        });
+        bool copy =
+            std::any_of(result.detections.begin(), result.detections.end(), [&](const Detection& kept) {
+                return overlap(boundingBox(kept.quad), boundingBox(quad)) > 0.65;
+            });
         if (copy) continue;
         Detection detection;
         detection.kind = Kind::Rectangle;

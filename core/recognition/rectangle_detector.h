@@ -9,7 +9,7 @@
 namespace farol::recognition {
 
 struct RectangleDetectorOptions {
-    double minAreaShare = 0.0015;  ///< of the frame
+    double minAreaShare = 0.0015; ///< of the frame
     double maxAreaShare = 0.5;
     double maxCornerCosine = 0.35; ///< how far a corner may be from a right angle
     double maxTiltDegrees = 20.0;

@@ -5,8 +5,8 @@
 
 namespace farol::recognition {
 
-/// Root mean square of the Laplacian over a picture reduced to 320 px wide, in grey levels: blank walls and smeared
-/// frames score low. 8-bit BGR or grey.
+/// Root mean square of the Laplacian over a picture reduced to 320 px wide, in grey levels: blank walls and
+/// smeared frames score low. 8-bit BGR or grey.
 double sharpness(const cv::Mat& image);
 
 } // namespace farol::recognition

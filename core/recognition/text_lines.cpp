@@ -32,16 +32,19 @@ std::vector<Letter> letters(const cv::Mat& grey) {
         const cv::Rect& b = boxes[i];
         double aspect = static_cast<double>(b.width) / b.height;
         double fill = static_cast<double>(regions[i].size()) / b.area();
-        if (b.height < 8 || b.height > grey.rows / 3 || aspect < 0.08 || aspect > 1.6 || fill < 0.12) continue;
+        if (b.height < 8 || b.height > grey.rows / 3 || aspect < 0.08 || aspect > 1.6 || fill < 0.12)
+            continue;
         found.push_back({b});
     }
     std::sort(found.begin(), found.end(), [](const Letter& a, const Letter& b) {
-        return std::make_tuple(-a.box.area(), a.box.x, a.box.y) < std::make_tuple(-b.box.area(), b.box.x, b.box.y);
+        return std::make_tuple(-a.box.area(), a.box.x, a.box.y) <
+               std::make_tuple(-b.box.area(), b.box.x, b.box.y);
     });
     std::vector<Letter> kept;
     for (const Letter& letter : found) {
         bool repeat = std::any_of(kept.begin(), kept.end(), [&](const Letter& other) {
-            return (letter.box & other.box).area() > 0.6 * letter.box.area() && letter.box.height > other.box.height / 3;
+            return (letter.box & other.box).area() > 0.6 * letter.box.area() &&
+                   letter.box.height > other.box.height / 3;
         });
         if (!repeat) kept.push_back(letter);
     }
@@ -88,7 +91,9 @@ Quad quadAround(const std::vector<Letter>& line) {
 } // namespace
 
 cv::Mat rectified(const cv::Mat& grey, const Quad& quad, int height, int widest) {
-    auto side = [&](std::size_t a, std::size_t b) { return std::hypot(quad[a].x - quad[b].x, quad[a].y - quad[b].y); };
+    auto side = [&](std::size_t a, std::size_t b) {
+        return std::hypot(quad[a].x - quad[b].x, quad[a].y - quad[b].y);
+    };
     double high = std::max((side(0, 3) + side(1, 2)) / 2.0, 1.0);
     double wide = std::max((side(0, 1) + side(3, 2)) / 2.0, 1.0);
     cv::Size size(std::clamp(static_cast<int>(std::lround(wide * height / high)), 8, widest), height);
@@ -97,7 +102,8 @@ cv::Mat rectified(const cv::Mat& grey, const Quad& quad, int height, int widest)
         from[i] = cv::Point2f(static_cast<float>(quad[i].x - 0.5), static_cast<float>(quad[i].y - 0.5));
     auto w = static_cast<float>(size.width) - 0.5F;
     auto h = static_cast<float>(size.height) - 0.5F;
-    std::array<cv::Point2f, 4> to{cv::Point2f(-0.5F, -0.5F), cv::Point2f(w, -0.5F), cv::Point2f(w, h), cv::Point2f(-0.5F, h)};
+    std::array<cv::Point2f, 4> to{cv::Point2f(-0.5F, -0.5F), cv::Point2f(w, -0.5F), cv::Point2f(w, h),
+                                  cv::Point2f(-0.5F, h)};
     cv::Mat out;
     cv::warpPerspective(grey, out, cv::getPerspectiveTransform(from.data(), to.data()), size,
                         height > high ? cv::INTER_CUBIC : cv::INTER_AREA, cv::BORDER_REPLICATE);
@@ -131,8 +137,10 @@ std::vector<cv::Range> inkRows(const cv::Mat& plate) {
         if (inked && start < 0) start = y;
         if (!inked && start >= 0) {
             // The dot of an i stands apart from its line by a gap far smaller than the line.
-            if (!rows.empty() && start - rows.back().end <= std::max(2, rows.back().size() / 6)) rows.back().end = y;
-            else rows.emplace_back(start, y);
+            if (!rows.empty() && start - rows.back().end <= std::max(2, rows.back().size() / 6))
+                rows.back().end = y;
+            else
+                rows.emplace_back(start, y);
             start = -1;
         }
     }
@@ -145,18 +153,24 @@ std::vector<Quad> lettersInLines(const cv::Mat& grey, int fewestLetters) {
     cv::Mat small = reduced(grey, 1280, scale);
     std::vector<Letter> all = letters(small);
     std::sort(all.begin(), all.end(), [](const Letter& a, const Letter& b) {
-        return std::make_tuple(a.box.x, a.box.y, a.box.width) < std::make_tuple(b.box.x, b.box.y, b.box.width);
+        return std::make_tuple(a.box.x, a.box.y, a.box.width) <
+               std::make_tuple(b.box.x, b.box.y, b.box.width);
     });
     std::vector<std::vector<Letter>> lines;
     for (const Letter& letter : all) {
         std::vector<Letter>* best = nullptr;
         for (auto& line : lines)
-            if (neighbours(line.back(), letter) && (best == nullptr || line.back().box.x > best->back().box.x)) best = &line;
-        if (best != nullptr) best->push_back(letter);
-        else lines.push_back({letter});
+            if (neighbours(line.back(), letter) &&
+                (best == nullptr || line.back().box.x > best->back().box.x))
+                best = &line;
+        if (best != nullptr)
+            best->push_back(letter);
+        else
+            lines.push_back({letter});
     }
     std::erase_if(lines, [&](const auto& line) { return static_cast<int>(line.size()) < fewestLetters; });
-    std::stable_sort(lines.begin(), lines.end(), [](const auto& a, const auto& b) { return a.size() > b.size(); });
+    std::stable_sort(lines.begin(), lines.end(),
+                     [](const auto& a, const auto& b) { return a.size() > b.size(); });
     std::vector<Quad> quads;
     for (const auto& line : lines) {
         Quad quad = quadAround(line);

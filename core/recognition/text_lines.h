@@ -1,5 +1,6 @@
 #pragma once
-// Where single lines of text may stand: in rectified plates, and in the open picture. Only this folder includes it.
+// Where single lines of text may stand: in rectified plates, and in the open picture. Only this folder
+// includes it.
 
 #include "core/base/geometry.h"
 

@@ -7,22 +7,20 @@
 #include "core/recognition/text_lines.h"
 
 #include <opencv2/imgproc.hpp>
-
 #include <tesseract/baseapi.h>
-
-#include <dlfcn.h>
 
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <dlfcn.h>
 #include <sstream>
 
 namespace farol::recognition {
 
 namespace {
 
-/// Tesseract's own threads cost more than they bring for single lines (measured: a third of the time), and the cores
-/// are wanted elsewhere. It offers no switch; OpenMP does, for the calling thread.
+/// Tesseract's own threads cost more than they bring for single lines (measured: a third of the time), and
+/// the cores are wanted elsewhere. It offers no switch; OpenMP does, for the calling thread.
 void oneOpenMpThread() {
     using SetThreads = void (*)(int);
     static const auto kSetThreads = reinterpret_cast<SetThreads>(dlsym(RTLD_DEFAULT, "omp_set_num_threads"));
@@ -33,7 +31,8 @@ void oneOpenMpThread() {
 bool init(tesseract::TessBaseAPI& api, const std::string& languages) {
     std::vector<std::string> names{"debug_file"};
     std::vector<std::string> values{"/dev/null"};
-    return api.Init(nullptr, languages.c_str(), tesseract::OEM_LSTM_ONLY, nullptr, 0, &names, &values, false) == 0;
+    return api.Init(nullptr, languages.c_str(), tesseract::OEM_LSTM_ONLY, nullptr, 0, &names, &values,
+                    false) == 0;
 }
 
 std::vector<std::string> split(const std::string& languages) {
@@ -79,15 +78,20 @@ ImagePoint between(const Quad& quad, double u, double v) {
 }
 
 Quad part(const Quad& quad, double left, double top, double right, double bottom) {
-    return {between(quad, left, top), between(quad, right, top), between(quad, right, bottom), between(quad, left, bottom)};
+    return {between(quad, left, top), between(quad, right, top), between(quad, right, bottom),
+            between(quad, left, bottom)};
 }
 
 double heightOf(const Quad& quad) {
-    return (std::hypot(quad[0].x - quad[3].x, quad[0].y - quad[3].y) + std::hypot(quad[1].x - quad[2].x, quad[1].y - quad[2].y)) / 2.0;
+    return (std::hypot(quad[0].x - quad[3].x, quad[0].y - quad[3].y) +
+            std::hypot(quad[1].x - quad[2].x, quad[1].y - quad[2].y)) /
+           2.0;
 }
 
 double widthOf(const Quad& quad) {
-    return (std::hypot(quad[0].x - quad[1].x, quad[0].y - quad[1].y) + std::hypot(quad[3].x - quad[2].x, quad[3].y - quad[2].y)) / 2.0;
+    return (std::hypot(quad[0].x - quad[1].x, quad[0].y - quad[1].y) +
+            std::hypot(quad[3].x - quad[2].x, quad[3].y - quad[2].y)) /
+           2.0;
 }
 
 } // namespace
@@ -97,7 +101,8 @@ Result<void> TextReaderOptions::check() const {
         return Error{ErrorCode::InvalidArgument, message, option};
     };
     if (split(languages).empty()) return wrong("name at least one language, such as por+eng", "languages");
-    if (!(minConfidence >= 0.0 && minConfidence <= 100.0)) return wrong("a confidence lies between 0 and 100", "minConfidence");
+    if (!(minConfidence >= 0.0 && minConfidence <= 100.0))
+        return wrong("a confidence lies between 0 and 100", "minConfidence");
     if (!(minSharpness >= 0.0)) return wrong("must not be negative", "minSharpness");
     if (minLetters < 1) return wrong("at least one letter is wanted", "minLetters");
     if (lineHeightPx < 16 || lineHeightPx > 512) return wrong("between 16 and 512 pixels", "lineHeightPx");
@@ -114,7 +119,8 @@ struct TextReader::Engine {
     void readInto(const Line& line, ImageSize size, DetectorResult& result);
 };
 
-/// The words of one line; empty when there is none that can be trusted. `confidence` then tells how far it fell short.
+/// The words of one line; empty when there is none that can be trusted. `confidence` then tells how far it
+/// fell short.
 std::optional<Reading> TextReader::Engine::readLine(const cv::Mat& line, double& confidence) {
     cv::Mat framed;
     int margin = options.lineHeightPx / 5;
@@ -159,7 +165,8 @@ std::vector<Line> TextReader::Engine::linesOfPlate(const cv::Mat& grey, const Qu
         Line line;
         line.quad = part(inner, 0.0, top, 1.0, bottom);
         double asTall = (bottom - top) * flat.rows / ink.size();
-        line.picture = darkOnLight(rectified(grey, line.quad, static_cast<int>(options.lineHeightPx * std::min(asTall, 1.5))));
+        line.picture = darkOnLight(
+            rectified(grey, line.quad, static_cast<int>(options.lineHeightPx * std::min(asTall, 1.5))));
         lines.push_back(std::move(line));
     }
     return lines;
@@ -220,13 +227,17 @@ Result<TextReader> TextReader::create(const TextReaderOptions& options) {
     }
     if (usable.empty())
         return Error{ErrorCode::Unavailable,
-                     "text cannot be read: Tesseract has none of the languages " + missing + "; install" + packages, "languages"};
+                     "text cannot be read: Tesseract has none of the languages " + missing + "; install" +
+                         packages,
+                     "languages"};
     if (!missing.empty())
-        logWarning("Tesseract does not have " + missing + "; text is read as " + usable + " (install" + packages + ")");
+        logWarning("Tesseract does not have " + missing + "; text is read as " + usable + " (install" +
+                   packages + ")");
     auto engine = std::make_unique<Engine>();
     engine->options = options;
     if (!init(engine->api, usable))
-        return Error{ErrorCode::Unavailable, "Tesseract could not be started with the languages " + usable, "languages"};
+        return Error{ErrorCode::Unavailable, "Tesseract could not be started with the languages " + usable,
+                     "languages"};
     return TextReader(std::move(engine));
 }
 
@@ -240,9 +251,11 @@ DetectorResult TextReader::read(const cv::Mat& image, const std::vector<Quad>& p
         for (const Detection& rectangle : detectRectangles(grey).detections) wanted.push_back(rectangle.quad);
     auto limit = static_cast<std::size_t>(m_engine->options.maxPlates);
     std::vector<Line> lines;
-    for (const Quad& line : plates.empty() ? lettersInLines(grey, std::max(3, m_engine->options.minLetters)) : std::vector<Quad>{})
+    for (const Quad& line : plates.empty() ? lettersInLines(grey, std::max(3, m_engine->options.minLetters))
+                                           : std::vector<Quad>{})
         if (lines.size() < limit)
-            lines.push_back({line, darkOnLight(rectified(grey, line, m_engine->options.lineHeightPx * 7 / 5))});
+            lines.push_back(
+                {line, darkOnLight(rectified(grey, line, m_engine->options.lineHeightPx * 7 / 5))});
     for (std::size_t i = 0; i < std::min(wanted.size(), limit); ++i)
         for (Line& line : m_engine->linesOfPlate(grey, wanted[i])) lines.push_back(std::move(line));
     for (const Line& line : lines) {

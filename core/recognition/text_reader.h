@@ -17,8 +17,8 @@ struct TextReaderOptions {
     double minConfidence = 80.0;       ///< Tesseract's, 0 to 100, of the weakest word kept
     double minSharpness = 7.0;         ///< of one line as it is rectified; see sharpness.h
     int minLetters = 2;
-    int lineHeightPx = 64;             ///< a plate is rectified to this height a line
-    int maxPlates = 8;                 ///< a frame
+    int lineHeightPx = 64; ///< a plate is rectified to this height a line
+    int maxPlates = 8;     ///< a frame
 
     Result<void> check() const;
 };
@@ -32,7 +32,8 @@ public:
     TextReader(TextReader&&) noexcept;
     TextReader& operator=(TextReader&&) noexcept;
 
-    /// Reads plates found by detectRectangles (or finds them itself when `plates` is empty). Detections of kind Text.
+    /// Reads plates found by detectRectangles (or finds them itself when `plates` is empty). Detections of
+    /// kind Text.
     DetectorResult read(const cv::Mat& image, const std::vector<Quad>& plates = {}) const;
 
 private:

@@ -15,10 +15,10 @@ namespace farol::recognition {
 
 namespace {
 
-constexpr int kObjectKeypoints = 300;  // a view; more add cost and no recall
+constexpr int kObjectKeypoints = 300; // a view; more add cost and no recall
 constexpr int kFewestObjectFeatures = 15;
 constexpr int kFewestPlaceFeatures = 30;
-constexpr int kMargin = 16;            // pixels around an object, so that its border has features too
+constexpr int kMargin = 16; // pixels around an object, so that its border has features too
 
 Error wrong(const std::string& message, const TrainingRequest& request) {
     return {ErrorCode::InvalidArgument, message, "template " + request.id.value};
@@ -32,7 +32,8 @@ Quad wholePicture(const cv::Mat& image) {
 Result<Quad> checkedOutline(Quad outline, const cv::Mat& image, const TrainingRequest& request) {
     constexpr double kSlack = 2.0;
     for (ImagePoint& p : outline) {
-        if (!std::isfinite(p.x) || !std::isfinite(p.y)) return wrong("the outline has a corner that is no number", request);
+        if (!std::isfinite(p.x) || !std::isfinite(p.y))
+            return wrong("the outline has a corner that is no number", request);
         if (p.x < -kSlack || p.y < -kSlack || p.x > image.cols + kSlack || p.y > image.rows + kSlack)
             return wrong("the outline leaves the picture, which is " + std::to_string(image.cols) + " x " +
                              std::to_string(image.rows) + " pixels",
@@ -47,24 +48,29 @@ Result<Quad> checkedOutline(Quad outline, const cv::Mat& image, const TrainingRe
         const ImagePoint& c = outline[(i + 2) % 4];
         double z = (b.x - a.x) * (c.y - b.y) - (b.y - a.y) * (c.x - b.x);
         if (std::abs(z) < 1e-6 || z * turns < 0.0)
-            return wrong("the outline's four corners must follow the object's border clockwise from its top left, "
-                         "without crossing",
-                         request);
+            return wrong(
+                "the outline's four corners must follow the object's border clockwise from its top left, "
+                "without crossing",
+                request);
         turns = z;
     }
     if (turns < 0.0)
-        return wrong("the outline's corners run counter-clockwise; give them clockwise from the object's top left", request);
+        return wrong(
+            "the outline's corners run counter-clockwise; give them clockwise from the object's top left",
+            request);
     ImageBox box = boundingBox(outline);
     if (box.width < 16.0 || box.height < 16.0)
         return wrong("the outline is only " + std::to_string(static_cast<int>(box.width)) + " x " +
-                         std::to_string(static_cast<int>(box.height)) + " pixels; photograph the object from nearer",
+                         std::to_string(static_cast<int>(box.height)) +
+                         " pixels; photograph the object from nearer",
                      request);
     return outline;
 }
 
 void keepRows(Features& features, const std::vector<int>& rows) {
     Features kept;
-    kept.descriptors = cv::Mat(static_cast<int>(rows.size()), features.descriptors.cols, features.descriptors.type());
+    kept.descriptors =
+        cv::Mat(static_cast<int>(rows.size()), features.descriptors.cols, features.descriptors.type());
     for (std::size_t i = 0; i < rows.size(); ++i) {
         kept.keypoints.push_back(features.keypoints[static_cast<std::size_t>(rows[i])]);
         features.descriptors.row(rows[i]).copyTo(kept.descriptors.row(static_cast<int>(i)));
@@ -77,7 +83,8 @@ void keepInside(Features& features, const std::array<cv::Point2f, 4>& quad, int 
     std::vector<cv::Point2f> border(quad.begin(), quad.end());
     std::vector<int> rows;
     for (std::size_t i = 0; i < features.keypoints.size(); ++i)
-        if (cv::pointPolygonTest(border, features.keypoints[i].pt, false) >= 0.0) rows.push_back(static_cast<int>(i));
+        if (cv::pointPolygonTest(border, features.keypoints[i].pt, false) >= 0.0)
+            rows.push_back(static_cast<int>(i));
     std::stable_sort(rows.begin(), rows.end(), [&](int a, int b) {
         return features.keypoints[static_cast<std::size_t>(a)].response >
                features.keypoints[static_cast<std::size_t>(b)].response;
@@ -103,22 +110,25 @@ std::array<cv::Point2f, 4> corners(const Quad& quad) {
 /// From the part of the photograph that holds the object, so that a small object is not reduced away.
 Features objectFeatures(const cv::Mat& grey, const Quad& outline, const FeatureExtractor& extractor) {
     ImageBox box = boundingBox(outline);
-    cv::Rect part(static_cast<int>(box.x), static_cast<int>(box.y), static_cast<int>(std::ceil(box.width)) + 1,
-                  static_cast<int>(std::ceil(box.height)) + 1);
+    cv::Rect part(static_cast<int>(box.x), static_cast<int>(box.y),
+                  static_cast<int>(std::ceil(box.width)) + 1, static_cast<int>(std::ceil(box.height)) + 1);
     part &= cv::Rect(0, 0, grey.cols, grey.rows);
     cv::Mat padded;
-    // The margin shows what really surrounds the object where the photograph has it, and where it ends no edge.
+    // The margin shows what really surrounds the object where the photograph has it, and where it ends no
+    // edge.
     cv::Rect wide(part.x - kMargin, part.y - kMargin, part.width + 2 * kMargin, part.height + 2 * kMargin);
     cv::Rect inside = wide & cv::Rect(0, 0, grey.cols, grey.rows);
-    cv::copyMakeBorder(grey(inside), padded, inside.y - wide.y, wide.br().y - inside.br().y, inside.x - wide.x,
-                       wide.br().x - inside.br().x, cv::BORDER_REPLICATE | cv::BORDER_ISOLATED);
+    cv::copyMakeBorder(grey(inside), padded, inside.y - wide.y, wide.br().y - inside.br().y,
+                       inside.x - wide.x, wide.br().x - inside.br().x,
+                       cv::BORDER_REPLICATE | cv::BORDER_ISOLATED);
     Features features = extractor.extract(padded);
     shift(features, wide.x, wide.y);
     keepInside(features, corners(outline), kObjectKeypoints);
     return features;
 }
 
-/// Adds what would be seen of the plane from the pose. Positions are in the photograph, sizes and angles in the pose.
+/// Adds what would be seen of the plane from the pose. Positions are in the photograph, sizes and angles in
+/// the pose.
 void addPose(Features& features, const cv::Mat& grey, const Quad& outline, const Plane& plane, int pose,
              const FeatureExtractor& extractor) {
     auto view = posedView(plane, pose, posedLongSide(outline));
@@ -130,12 +140,13 @@ void addPose(Features& features, const cv::Mat& grey, const Quad& outline, const
     double reduction = std::max(box.width, box.height) / posedLongSide(outline);
     cv::Mat soft;
     cv::GaussianBlur(grey, soft, cv::Size(), std::max(0.4, view->blur * reduction));
-    cv::Matx33d half(1, 0, -0.5, 0, 1, -0.5, 0, 0, 1); // pixel centres stand at +0.5 with us, at 0 in warpPerspective
+    cv::Matx33d half(1, 0, -0.5, 0, 1, -0.5, 0, 0,
+                     1); // pixel centres stand at +0.5 with us, at 0 in warpPerspective
     cv::Matx33d margin(1, 0, kMargin, 0, 1, kMargin, 0, 0, 1);
     cv::Mat picture;
     cv::warpPerspective(soft, picture, half * margin * photoToPicture * half.inv(),
-                        cv::Size(view->size.width + 2 * kMargin, view->size.height + 2 * kMargin), cv::INTER_LINEAR,
-                        cv::BORDER_CONSTANT, cv::Scalar(127));
+                        cv::Size(view->size.width + 2 * kMargin, view->size.height + 2 * kMargin),
+                        cv::INTER_LINEAR, cv::BORDER_CONSTANT, cv::Scalar(127));
     if (view->afterBlur > 0.0) cv::GaussianBlur(picture, picture, cv::Size(), view->afterBlur);
     Features seen = extractor.extract(picture);
     shift(seen, -kMargin, -kMargin);
@@ -174,11 +185,12 @@ Result<void> checkRequest(const TrainingRequest& request, const Template* known)
 
 Result<void> checkCount(std::size_t found, std::size_t wanted, const TrainingRequest& request) {
     if (found >= wanted) return {};
-    Error few = wrong("only " + std::to_string(found) + " features were found" +
-                     (request.kind == Kind::Place ? " in the picture" : " inside the outline") + "; at least " +
-                     std::to_string(wanted) +
-                     " are needed: take a sharp, well lit photograph of something with detail, from nearer",
-                 request);
+    Error few =
+        wrong("only " + std::to_string(found) + " features were found" +
+                  (request.kind == Kind::Place ? " in the picture" : " inside the outline") + "; at least " +
+                  std::to_string(wanted) +
+                  " are needed: take a sharp, well lit photograph of something with detail, from nearer",
+              request);
     few.code = ErrorCode::NotFound;
     return few;
 }
@@ -194,7 +206,9 @@ std::string asJpeg(const std::string& bytes, const cv::Mat& image) {
 Result<View> makeView(const LandmarkLibrary& library, const TrainingRequest& request, const Template* known,
                       const std::string& pictureBytes, const std::optional<Quad>& outline) {
     auto image = capture::decodePicture(pictureBytes, "template " + request.id.value);
-    if (!image) return Error{ErrorCode::Corrupt, "the photograph cannot be read as a picture", "template " + request.id.value};
+    if (!image)
+        return Error{ErrorCode::Corrupt, "the photograph cannot be read as a picture",
+                     "template " + request.id.value};
     View view;
     view.size = {image->cols, image->rows};
     view.outline = wholePicture(*image);
@@ -205,8 +219,10 @@ Result<View> makeView(const LandmarkLibrary& library, const TrainingRequest& req
         view.outline = *checked;
     }
     FeatureExtractor extractor(library.extractor);
-    view.features = place ? extractor.extract(*image) : objectFeatures(greyOf(*image), view.outline, extractor);
-    auto enough = checkCount(view.features.keypoints.size(), place ? kFewestPlaceFeatures : kFewestObjectFeatures, request);
+    view.features =
+        place ? extractor.extract(*image) : objectFeatures(greyOf(*image), view.outline, extractor);
+    auto enough = checkCount(view.features.keypoints.size(),
+                             place ? kFewestPlaceFeatures : kFewestObjectFeatures, request);
     if (!enough) return enough.error();
     if (!place && wantsPoses(known, view.outline)) {
         Plane plane = planeOf(view.outline, {}, {});
@@ -219,8 +235,8 @@ Result<View> makeView(const LandmarkLibrary& library, const TrainingRequest& req
 
 } // namespace
 
-Result<void> addView(LandmarkLibrary& library, const TrainingRequest& request, const std::string& pictureBytes,
-                     const std::optional<Quad>& outline) {
+Result<void> addView(LandmarkLibrary& library, const TrainingRequest& request,
+                     const std::string& pictureBytes, const std::optional<Quad>& outline) {
     if (auto checked = library.extractor.check(); !checked) return checked;
     auto known = std::find_if(library.templates.begin(), library.templates.end(),
                               [&](const Template& t) { return t.id == request.id; });

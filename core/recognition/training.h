@@ -1,5 +1,6 @@
 #pragma once
-// From photographs to templates (paper section 2: templates are photographed at about 2 m from several sides).
+// From photographs to templates (paper section 2: templates are photographed at about 2 m from several
+// sides).
 
 #include "core/base/error.h"
 #include "core/recognition/landmark_library.h"
@@ -16,12 +17,13 @@ struct TrainingRequest {
     std::optional<double> widthM, heightM;
 };
 
-/// Adds one photograph (JPEG or PNG bytes) to a template of the library, which is made when it is new. An outline
-/// must be convex and inside the picture; without one the whole picture counts (kind place: always the whole).
-/// InvalidArgument when the outline is wrong or the kind differs from the template's; Corrupt when the picture cannot
-/// be decoded; NotFound when too few features lie inside the outline (the message says how many, and what to do).
-Result<void> addView(LandmarkLibrary& library, const TrainingRequest& request, const std::string& pictureBytes,
-                     const std::optional<Quad>& outline);
+/// Adds one photograph (JPEG or PNG bytes) to a template of the library, which is made when it is new. An
+/// outline must be convex and inside the picture; without one the whole picture counts (kind place: always
+/// the whole). InvalidArgument when the outline is wrong or the kind differs from the template's; Corrupt
+/// when the picture cannot be decoded; NotFound when too few features lie inside the outline (the message
+/// says how many, and what to do).
+Result<void> addView(LandmarkLibrary& library, const TrainingRequest& request,
+                     const std::string& pictureBytes, const std::optional<Quad>& outline);
 
 /// False when there is no such template.
 bool removeTemplate(LandmarkLibrary& library, const TemplateId& id);

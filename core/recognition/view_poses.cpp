@@ -42,7 +42,8 @@ std::array<cv::Point2f, 4> Plane::corners() const {
     return {cv::Point2f(0, 0), cv::Point2f(w, 0), cv::Point2f(w, h), cv::Point2f(0, h)};
 }
 
-Plane planeOf(const Quad& outline, const std::optional<double>& widthM, const std::optional<double>& heightM) {
+Plane planeOf(const Quad& outline, const std::optional<double>& widthM,
+              const std::optional<double>& heightM) {
     double width = (side(outline, 0) + side(outline, 2)) / 2.0;
     double height = (side(outline, 1) + side(outline, 3)) / 2.0;
     if (widthM && heightM && *widthM > 0.0 && *heightM > 0.0) {
@@ -51,7 +52,8 @@ Plane planeOf(const Quad& outline, const std::optional<double>& widthM, const st
     }
     double longer = std::max({width, height, 1e-6});
     // A sliver would make every homography singular.
-    return {std::max(width / longer, 0.02) * kPlaneLongSide, std::max(height / longer, 0.02) * kPlaneLongSide};
+    return {std::max(width / longer, 0.02) * kPlaneLongSide,
+            std::max(height / longer, 0.02) * kPlaneLongSide};
 }
 
 cv::Matx33d planeToQuad(const Plane& plane, const Quad& outline) {
@@ -71,7 +73,8 @@ std::optional<PosedView> posedView(const Plane& plane, int pose, double longSide
     // A camera whose focal length is 600 px, and a plane so large that it looks longSidePx long from 1 m.
     constexpr double kFocal = 600.0;
     double m = longSidePx / kFocal / std::max(plane.width, plane.height);
-    cv::Matx33d place(r(0, 0) * m, r(0, 1) * m, 0, r(1, 0) * m, r(1, 1) * m, 0, r(2, 0) * m, r(2, 1) * m, p.distance);
+    cv::Matx33d place(r(0, 0) * m, r(0, 1) * m, 0, r(1, 0) * m, r(1, 1) * m, 0, r(2, 0) * m, r(2, 1) * m,
+                      p.distance);
     cv::Matx33d centre(1, 0, -plane.width / 2, 0, 1, -plane.height / 2, 0, 0, 1);
     cv::Matx33d h = cv::Matx33d(kFocal, 0, 0, 0, kFocal, 0, 0, 0, 1) * place * centre;
     auto quad = mapped(h, plane.corners());
@@ -92,7 +95,8 @@ double posedLongSide(const Quad& outline) {
 
 bool nearlyFrontal(const Quad& outline) {
     auto alike = [](double a, double b) { return std::min(a, b) > 0.88 * std::max(a, b); };
-    if (!alike(side(outline, 0), side(outline, 2)) || !alike(side(outline, 1), side(outline, 3))) return false;
+    if (!alike(side(outline, 0), side(outline, 2)) || !alike(side(outline, 1), side(outline, 3)))
+        return false;
     for (std::size_t i = 0; i < 4; ++i) {
         const ImagePoint& a = outline[(i + 3) % 4];
         const ImagePoint& b = outline[i];

@@ -1,7 +1,7 @@
 #pragma once
-// The poses from which a photographed plane is seen again by computation: oblique, nodding and far, so that one
-// frontal photograph is recognised from more sides (recognition.md: +0.2 recall on hard views). Only this folder
-// includes it.
+// The poses from which a photographed plane is seen again by computation: oblique, nodding and far, so that
+// one frontal photograph is recognised from more sides (recognition.md: +0.2 recall on hard views). Only this
+// folder includes it.
 
 #include "core/base/geometry.h"
 #include "core/recognition/landmark_library.h"
@@ -13,7 +13,8 @@
 
 namespace farol::recognition {
 
-/// Keypoints carry in class_id the pose they were seen from: 0 is the photograph itself, 1 to kPoseCount these.
+/// Keypoints carry in class_id the pose they were seen from: 0 is the photograph itself, 1 to kPoseCount
+/// these.
 inline constexpr int kPoseCount = 7;
 
 /// The plane's own coordinates: its rectangle from (0, 0), the longer side 400 units.
@@ -28,13 +29,13 @@ struct Plane {
 Plane planeOf(const Quad& outline, const std::optional<double>& widthM, const std::optional<double>& heightM);
 /// Plane to photograph.
 cv::Matx33d planeToQuad(const Plane& plane, const Quad& outline);
-/// Plane to the picture of pose 1 to kPoseCount, and the picture's size. `longSidePx`: how long the plane's longer
-/// side would be in a picture from 1 m.
+/// Plane to the picture of pose 1 to kPoseCount, and the picture's size. `longSidePx`: how long the plane's
+/// longer side would be in a picture from 1 m.
 struct PosedView {
     cv::Matx33d planeToPicture;
     cv::Size size;
-    double blur = 0.0;       ///< of the photograph before it is warped, as a share of the reduction
-    double afterBlur = 0.0;  ///< pixels, of the finished picture
+    double blur = 0.0;      ///< of the photograph before it is warped, as a share of the reduction
+    double afterBlur = 0.0; ///< pixels, of the finished picture
 };
 std::optional<PosedView> posedView(const Plane& plane, int pose, double longSidePx);
 /// The length of the longer side at which the poses of a photograph are made.

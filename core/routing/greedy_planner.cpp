@@ -1,6 +1,6 @@
-// The paper's 4.1 (a)-(g). A region from which one cannot go on is struck out and the search starts again (e, f). That a
-// region whose neighbours have all been passed is struck out too makes it end, and loses no way: whoever comes back to a
-// passed region could have stayed there.
+// The paper's 4.1 (a)-(g). A region from which one cannot go on is struck out and the search starts again (e,
+// f). That a region whose neighbours have all been passed is struck out too makes it end, and loses no way:
+// whoever comes back to a passed region could have stayed there.
 
 #include "core/routing/route_graph.h"
 
@@ -41,12 +41,17 @@ private:
     static constexpr int kMostAttempts = 2000;
 
     double levelOf(std::size_t region) const { return m_graph.building().regions()[region].level; }
-    Point2 centre(std::size_t region) const { return pointInside(m_graph.building().regions()[region].polygon); }
+    Point2 centre(std::size_t region) const {
+        return pointInside(m_graph.building().regions()[region].polygon);
+    }
     Point2 middle(const Step& step) const { return m_graph.building().accesses()[step.access].midpoint(); }
-    Steps stepsFrom(std::size_t region) const { return m_graph.stepsFrom(region, m_from.region, m_to.region); }
+    Steps stepsFrom(std::size_t region) const {
+        return m_graph.stepsFrom(region, m_from.region, m_to.region);
+    }
 
     std::optional<Step> nextStep(std::size_t region, Point2 position, Point2 destination,
-                                 const std::set<std::size_t>& passed, const std::set<std::size_t>& struck) const;
+                                 const std::set<std::size_t>& passed,
+                                 const std::set<std::size_t>& struck) const;
     std::optional<Steps> onLevel(const Endpoint& from, const Endpoint& to) const;
     std::optional<Steps> throughShaft(std::size_t from, double level, bool lift, std::size_t& exit) const;
     std::vector<Passage> passages(const Endpoint& from, double level) const;
@@ -59,13 +64,16 @@ private:
     int m_attempts = 0;
 };
 
-/// (a), (c) The access in the destination's direction that lies nearest to it; where none is ahead, the nearest of all.
+/// (a), (c) The access in the destination's direction that lies nearest to it; where none is ahead, the
+/// nearest of all.
 std::optional<Step> Greedy::nextStep(std::size_t region, Point2 position, Point2 destination,
-                                     const std::set<std::size_t>& passed, const std::set<std::size_t>& struck) const {
+                                     const std::set<std::size_t>& passed,
+                                     const std::set<std::size_t>& struck) const {
     std::optional<Step> best;
     std::tuple<bool, double> bestRank;
     for (const Step& step : stepsFrom(region)) {
-        if (levelOf(step.into) != levelOf(region) || passed.count(step.into) != 0 || struck.count(step.into) != 0)
+        if (levelOf(step.into) != levelOf(region) || passed.count(step.into) != 0 ||
+            struck.count(step.into) != 0)
             continue;
         bool behind = dot(middle(step) - position, destination - position) <= 0.0;
         std::tuple rank(behind, distance(middle(step), destination));
@@ -97,8 +105,10 @@ std::optional<Steps> Greedy::onLevel(const Endpoint& from, const Endpoint& to) c
     }
 }
 
-/// Up or down by stairs (escalators and ramps with them) or by lift alone, from a region to a region of that level.
-std::optional<Steps> Greedy::throughShaft(std::size_t from, double level, bool lift, std::size_t& exit) const {
+/// Up or down by stairs (escalators and ramps with them) or by lift alone, from a region to a region of that
+/// level.
+std::optional<Steps> Greedy::throughShaft(std::size_t from, double level, bool lift,
+                                          std::size_t& exit) const {
     std::vector<std::pair<std::size_t, Steps>> open{{from, {}}};
     std::set<std::size_t> seen{from};
     for (std::size_t i = 0; i < open.size(); ++i) {
@@ -109,7 +119,8 @@ std::optional<Steps> Greedy::throughShaft(std::size_t from, double level, bool l
         }
         for (const Step& step : stepsFrom(region)) {
             bool byLift = m_graph.building().accesses()[step.access].kind == AccessKind::Elevator;
-            if (byLift != lift || levelOf(step.into) == levelOf(region) || !seen.insert(step.into).second) continue;
+            if (byLift != lift || levelOf(step.into) == levelOf(region) || !seen.insert(step.into).second)
+                continue;
             Steps longer = steps;
             longer.push_back(step);
             open.emplace_back(step.into, std::move(longer));
@@ -118,8 +129,8 @@ std::optional<Steps> Greedy::throughShaft(std::size_t from, double level, bool l
     return std::nullopt;
 }
 
-/// Stairs before lifts, as in the paper's example (what is to be avoided is not offered by the graph); then the shaft
-/// over which the straight lines to and from are shortest.
+/// Stairs before lifts, as in the paper's example (what is to be avoided is not offered by the graph); then
+/// the shaft over which the straight lines to and from are shortest.
 std::vector<Passage> Greedy::passages(const Endpoint& from, double level) const {
     std::vector<std::pair<std::tuple<bool, double>, Passage>> ranked;
     for (std::size_t region = 0; region < m_graph.building().regions().size(); ++region) {
@@ -128,11 +139,13 @@ std::vector<Passage> Greedy::passages(const Endpoint& from, double level) const 
             std::size_t exit = region;
             auto steps = throughShaft(region, level, lift, exit);
             if (!steps || steps->empty()) continue;
-            double far = distance(from.position, middle(steps->front())) + distance(middle(steps->back()), m_to.position);
+            double far = distance(from.position, middle(steps->front())) +
+                         distance(middle(steps->back()), m_to.position);
             ranked.emplace_back(std::tuple(lift, far), Passage{region, exit, std::move(*steps), lift});
         }
     }
-    std::stable_sort(ranked.begin(), ranked.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::stable_sort(ranked.begin(), ranked.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
     std::vector<Passage> list;
     for (auto& entry : ranked) list.push_back(std::move(entry.second));
     return list;
@@ -148,7 +161,8 @@ std::vector<double> Greedy::levelsNearGoal() const {
     return levels;
 }
 
-/// (g) Partial destinations: the entry of a shaft that both levels share; where none is shared, over a level between.
+/// (g) Partial destinations: the entry of a shaft that both levels share; where none is shared, over a level
+/// between.
 std::optional<Steps> Greedy::betweenLevels(const Endpoint& from, std::set<double>& visited) {
     if (++m_attempts > kMostAttempts) return std::nullopt;
     if (levelOf(from.region) == levelOf(m_to.region)) return onLevel(from, m_to);
@@ -182,13 +196,15 @@ public:
         if (!goal) return goal.error();
         if (auto steps = Greedy(m_graph, *start, *goal).run())
             return m_graph.routeAlong("greedy", *start, *goal, *steps);
-        if (!m_graph.reachable(start->region, goal->region)) return m_graph.unreachable(start->region, goal->region);
+        if (!m_graph.reachable(start->region, goal->region))
+            return m_graph.unreachable(start->region, goal->region);
         const Building& building = m_graph.building();
-        return Error{ErrorCode::NotFound,
-                     "the greedy planner finds no way, because it stays on each level and takes shafts between two of "
-                     "them only; the optimal planner finds one",
-                     spokenName(building.regions()[start->region]) + " to " +
-                         spokenName(building.regions()[goal->region])};
+        return Error{
+            ErrorCode::NotFound,
+            "the greedy planner finds no way, because it stays on each level and takes shafts between two of "
+            "them only; the optimal planner finds one",
+            spokenName(building.regions()[start->region]) + " to " +
+                spokenName(building.regions()[goal->region])};
     }
 
 private:

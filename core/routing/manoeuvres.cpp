@@ -13,9 +13,9 @@ using building::Region;
 
 namespace {
 
-constexpr double kAveragedM = 1.5;    // over which a walking direction is taken
+constexpr double kAveragedM = 1.5; // over which a walking direction is taken
 constexpr double kLeastAveragedM = 0.5;
-constexpr double kMergeM = 1.0;       // bends this near to an access or to each other are one manoeuvre
+constexpr double kMergeM = 1.0; // bends this near to an access or to each other are one manoeuvre
 constexpr double kTurnRadians = kPi / 6.0 - 1e-6;
 
 /// Bends that are told as one: a turn, or an access with the bends beside it. Indices into the path.
@@ -59,16 +59,19 @@ double PathWalk::climbOf(std::size_t portal) const {
     const Access* access = m_building.access(m_route.accesses[portal]);
     const Region* from = m_building.region(m_route.regions[portal]);
     const Region* into = m_building.region(m_route.regions[portal + 1]);
-    if (access == nullptr || from == nullptr || into == nullptr || access->kind == AccessKind::Elevator) return 0.0;
+    if (access == nullptr || from == nullptr || into == nullptr || access->kind == AccessKind::Elevator)
+        return 0.0;
     return std::abs(from->level - into->level);
 }
 
 void PathWalk::measure() {
     for (std::size_t i = 0; i < m_route.path.size(); ++i)
-        m_flat.push_back(i == 0 ? 0.0 : m_flat.back() + distance(m_route.path[i - 1].position, m_route.path[i].position));
+        m_flat.push_back(
+            i == 0 ? 0.0 : m_flat.back() + distance(m_route.path[i - 1].position, m_route.path[i].position));
     double climbs = 0.0;
     for (std::size_t k = 0; k < m_portals.size(); ++k) climbs += climbOf(k);
-    double metresPerLevel = climbs > 0.0 && !m_flat.empty() ? (m_route.lengthM - m_flat.back()) / climbs : 0.0;
+    double metresPerLevel =
+        climbs > 0.0 && !m_flat.empty() ? (m_route.lengthM - m_flat.back()) / climbs : 0.0;
     m_at = m_flat;
     for (std::size_t k = 0; k < m_portals.size(); ++k)
         for (std::size_t i = m_portals[k] + 1; i < m_at.size(); ++i) m_at[i] += climbOf(k) * metresPerLevel;
@@ -89,7 +92,8 @@ std::size_t PathWalk::absorbed(std::size_t portal, bool forward) const {
     std::size_t furthest = at;
     double here = m_flat[at];
     double reach = kMergeM;
-    if (forward && portal + 1 < m_portals.size()) reach = std::min(reach, (m_flat[m_portals[portal + 1]] - here) / 2.0);
+    if (forward && portal + 1 < m_portals.size())
+        reach = std::min(reach, (m_flat[m_portals[portal + 1]] - here) / 2.0);
     if (!forward && portal > 0) reach = std::min(reach, (here - m_flat[m_portals[portal - 1]]) / 2.0);
     std::size_t low = portal == 0 ? 1 : m_portals[portal - 1] + 1;
     std::size_t high = portal + 1 < m_portals.size() ? m_portals[portal + 1] : m_route.path.size() - 1;
@@ -104,7 +108,8 @@ std::size_t PathWalk::absorbed(std::size_t portal, bool forward) const {
 void PathWalk::clustersOfBends(std::size_t from, std::size_t to, std::vector<Cluster>& found) const {
     for (std::size_t i = from + 1; i < to;) {
         Cluster cluster{i, i, std::nullopt, i};
-        while (cluster.last + 1 < to && m_flat[cluster.last + 1] - m_flat[cluster.last] <= kMergeM) ++cluster.last;
+        while (cluster.last + 1 < to && m_flat[cluster.last + 1] - m_flat[cluster.last] <= kMergeM)
+            ++cluster.last;
         for (std::size_t j = cluster.first; j <= cluster.last; ++j)
             if (std::abs(bendAt(j)) > std::abs(bendAt(cluster.at))) cluster.at = j;
         found.push_back(cluster);
@@ -135,8 +140,8 @@ Point2 PathWalk::pointAt(double flat) const {
     return a + (m_route.path[i].position - a) * share;
 }
 
-/// From the direction before the cluster to the one after it; directions are not taken beyond `low` and `high`, where
-/// the neighbouring clusters are.
+/// From the direction before the cluster to the one after it; directions are not taken beyond `low` and
+/// `high`, where the neighbouring clusters are.
 Radians PathWalk::turnOf(const Cluster& cluster, double low, double high) const {
     double begin = m_flat[cluster.first];
     double finish = m_flat[cluster.last];
@@ -146,8 +151,8 @@ Radians PathWalk::turnOf(const Cluster& cluster, double low, double high) const 
     Point2 out = pointAt(finish + ahead) - m_route.path[cluster.last].position;
     if (length(in) < 1e-6 || length(out) < 1e-6) return {};
     if (cluster.portal) {
-        // Who walks in a corridor follows its walls, not the diagonal of the shortest path: a corner of two corridors
-        // is a whole turn, and the door in its side wall is one too.
+        // Who walks in a corridor follows its walls, not the diagonal of the shortest path: a corner of two
+        // corridors is a whole turn, and the door in its side wall is one too.
         if (const Region* from = m_building.region(m_route.regions[*cluster.portal]))
             in = walkingDirection(from->polygon, in);
         if (const Region* into = m_building.region(m_route.regions[*cluster.portal + 1]))
@@ -175,14 +180,20 @@ Manoeuvre PathWalk::end(ManoeuvreKind kind) const {
 
 ManoeuvreKind kindOf(AccessKind kind) {
     switch (kind) {
-    case AccessKind::Opening: return ManoeuvreKind::Opening;
-    case AccessKind::Stairs: return ManoeuvreKind::Stairs;
-    case AccessKind::Elevator: return ManoeuvreKind::Elevator;
-    case AccessKind::Escalator: return ManoeuvreKind::Escalator;
-    case AccessKind::Ramp: return ManoeuvreKind::Ramp;
+    case AccessKind::Opening:
+        return ManoeuvreKind::Opening;
+    case AccessKind::Stairs:
+        return ManoeuvreKind::Stairs;
+    case AccessKind::Elevator:
+        return ManoeuvreKind::Elevator;
+    case AccessKind::Escalator:
+        return ManoeuvreKind::Escalator;
+    case AccessKind::Ramp:
+        return ManoeuvreKind::Ramp;
     case AccessKind::Door:
     case AccessKind::Window:
-    case AccessKind::Other: return ManoeuvreKind::Door;
+    case AccessKind::Other:
+        return ManoeuvreKind::Door;
     }
     return ManoeuvreKind::Door;
 }

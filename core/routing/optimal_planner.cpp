@@ -1,9 +1,10 @@
 #include "core/routing/route_graph.h"
 
+#include <queue>
+
 #include <algorithm>
 #include <functional>
 #include <limits>
-#include <queue>
 #include <utility>
 
 namespace farol::routing {
@@ -12,7 +13,8 @@ namespace {
 
 constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
-/// Dijkstra over crossings of accesses: a node is a crossing together with the side on which one has come out.
+/// Dijkstra over crossings of accesses: a node is a crossing together with the side on which one has come
+/// out.
 class Search {
 public:
     Search(const RouteGraph& graph, const Endpoint& from, const Endpoint& to)
@@ -47,7 +49,7 @@ private:
     const Endpoint& m_from;
     const Endpoint& m_to;
     std::vector<Node> m_nodes;
-    std::vector<std::size_t> m_first; ///< node of each access
+    std::vector<std::size_t> m_first;             ///< node of each access
     using Entry = std::pair<double, std::size_t>; // the node's number breaks ties: the same way every time
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> m_open;
     std::optional<WalkingSpace::Tree> m_goalTree;
@@ -81,7 +83,8 @@ void Search::expand(std::size_t index) {
         if (step.access == node.step.access) continue;
         double paid = node.cost + m_graph.seconds(step, &node.step);
         for (step.crossing = 0; step.crossing < m_graph.crossings(step.access).size(); ++step.crossing)
-            reach(step, paid + m_graph.walkingSeconds(m_graph.between(node.step.into, node.step, step)), index);
+            reach(step, paid + m_graph.walkingSeconds(m_graph.between(node.step.into, node.step, step)),
+                  index);
     }
 }
 
@@ -89,7 +92,8 @@ void Search::tryGoal(std::size_t index) {
     if (m_nodes[index].step.into != m_to.region) return;
     const WalkingSpace& space = m_graph.space(m_to.region);
     if (!m_goalTree) m_goalTree = space.from(m_to.position);
-    double metres = space.lengthTo(*m_goalTree, m_graph.crossings(m_nodes[index].step.access)[m_nodes[index].step.crossing]);
+    double metres = space.lengthTo(
+        *m_goalTree, m_graph.crossings(m_nodes[index].step.access)[m_nodes[index].step.crossing]);
     double cost = m_nodes[index].cost + m_graph.walkingSeconds(metres);
     if (cost >= m_best) return;
     m_best = cost;
@@ -125,8 +129,10 @@ public:
         auto goal = m_graph.endpoint(to, "destination");
         if (!goal) return goal.error();
         std::optional<std::vector<Step>> steps;
-        if (start->region == goal->region) steps.emplace();
-        else steps = Search(m_graph, *start, *goal).run();
+        if (start->region == goal->region)
+            steps.emplace();
+        else
+            steps = Search(m_graph, *start, *goal).run();
         if (!steps) return m_graph.unreachable(start->region, goal->region);
         return m_graph.routeAlong("optimal", *start, *goal, *steps);
     }

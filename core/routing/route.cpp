@@ -23,21 +23,31 @@ Result<void> RouteOptions::check() const {
                              {"storeyHeightM", storeyHeightM, 0.0}};
     for (const Entry& entry : entries)
         if (!(entry.value >= entry.low) || entry.value > 1e6)
-            return Error{ErrorCode::InvalidArgument, "is out of its range", std::string("route option ") + entry.name};
+            return Error{ErrorCode::InvalidArgument, "is out of its range",
+                         std::string("route option ") + entry.name};
     return {};
 }
 
 std::string manoeuvreKindName(ManoeuvreKind kind) {
     switch (kind) {
-    case ManoeuvreKind::Start: return "start";
-    case ManoeuvreKind::Door: return "door";
-    case ManoeuvreKind::Opening: return "opening";
-    case ManoeuvreKind::Stairs: return "stairs";
-    case ManoeuvreKind::Elevator: return "elevator";
-    case ManoeuvreKind::Escalator: return "escalator";
-    case ManoeuvreKind::Ramp: return "ramp";
-    case ManoeuvreKind::Turn: return "turn";
-    case ManoeuvreKind::Arrive: return "arrive";
+    case ManoeuvreKind::Start:
+        return "start";
+    case ManoeuvreKind::Door:
+        return "door";
+    case ManoeuvreKind::Opening:
+        return "opening";
+    case ManoeuvreKind::Stairs:
+        return "stairs";
+    case ManoeuvreKind::Elevator:
+        return "elevator";
+    case ManoeuvreKind::Escalator:
+        return "escalator";
+    case ManoeuvreKind::Ramp:
+        return "ramp";
+    case ManoeuvreKind::Turn:
+        return "turn";
+    case ManoeuvreKind::Arrive:
+        return "arrive";
     }
     return "start";
 }

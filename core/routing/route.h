@@ -18,13 +18,13 @@ using building::Location;
 enum class ManoeuvreKind { Start, Door, Opening, Stairs, Elevator, Escalator, Ramp, Turn, Arrive };
 enum class Vertical { None, Up, Down };
 
-/// One thing to do on the way. `turn` is how the walking direction changes there, from the path's own geometry
-/// (counter-clockwise, so left, is positive); 0 on Start and Arrive.
+/// One thing to do on the way. `turn` is how the walking direction changes there, from the path's own
+/// geometry (counter-clockwise, so left, is positive); 0 on Start and Arrive.
 struct Manoeuvre {
     ManoeuvreKind kind = ManoeuvreKind::Start;
-    AccessId access;  ///< the access passed; empty on Start, Turn and Arrive
-    RegionId from;    ///< the region one is in before
-    RegionId into;    ///< the region one is in afterwards (the same for Turn and Arrive)
+    AccessId access; ///< the access passed; empty on Start, Turn and Arrive
+    RegionId from;   ///< the region one is in before
+    RegionId into;   ///< the region one is in afterwards (the same for Turn and Arrive)
     Point2 position;
     double level = 0.0;       ///< before a change of level
     double targetLevel = 0.0; ///< after it
@@ -39,7 +39,8 @@ struct PathPoint {
     double level = 0.0;
 };
 
-/// regions.size() == accesses.size() + 1. `path` runs from start to goal; points of one level form its polyline.
+/// regions.size() == accesses.size() + 1. `path` runs from start to goal; points of one level form its
+/// polyline.
 struct Route {
     std::string planner; ///< "optimal" or "greedy"
     std::vector<RegionId> regions;
@@ -54,12 +55,12 @@ struct Route {
 
 /// What may be used, and how long it takes. Speeds in metres a second on the flat.
 struct RouteOptions {
-    double walkingSpeed = 0.8;      ///< of a blind walker, for `seconds`
-    double doorSeconds = 4.0;       ///< to find and pass a door
+    double walkingSpeed = 0.8; ///< of a blind walker, for `seconds`
+    double doorSeconds = 4.0;  ///< to find and pass a door
     double stairsSecondsPerLevel = 20.0;
-    double elevatorSeconds = 45.0;  ///< waiting and riding one level; waited for once a ride
+    double elevatorSeconds = 45.0;        ///< waiting and riding one level; waited for once a ride
     double elevatorSecondsPerLevel = 5.0; ///< each further level of the same ride
-    double storeyHeightM = 3.0;     ///< where the map tells no elevations
+    double storeyHeightM = 3.0;           ///< where the map tells no elevations
     bool avoidStairs = false;
     bool avoidElevator = false;
     bool avoidEscalator = false;
@@ -72,23 +73,26 @@ struct RouteOptions {
 class Planner {
 public:
     virtual ~Planner() = default;
-    /// NotFound with the reason in words when there is no way ("room 2.14 can be reached by stairs only, which are
-    /// to be avoided"). Start and goal in one region: a route without accesses.
+    /// NotFound with the reason in words when there is no way ("room 2.14 can be reached by stairs only,
+    /// which are to be avoided"). Start and goal in one region: a route without accesses.
     virtual Result<Route> plan(const Location& from, const Location& to) const = 0;
 };
 
-/// Least seconds from door to door (RouteOptions), walking the shortest way within each region's polygon. Doors and
-/// narrow openings are crossed in their middle, openings 1.2 m wide or more (drawn as a line, or a point with
-/// width_m on a border) where the way is shortest, 0.4 m or more from their ends
-/// (chosen among points 1 m apart, then pulled straight).
-std::unique_ptr<Planner> makeOptimalPlanner(std::shared_ptr<const Building> building, RouteOptions options = {});
-/// The paper's 4.1 as printed: next access by direction and distance to the destination, dead ends struck out and
-/// restarted, levels joined by common stairs or lifts. Not the shortest way; for comparison.
-std::unique_ptr<Planner> makeGreedyPlanner(std::shared_ptr<const Building> building, RouteOptions options = {});
+/// Least seconds from door to door (RouteOptions), walking the shortest way within each region's polygon.
+/// Doors and narrow openings are crossed in their middle, openings 1.2 m wide or more (drawn as a line, or a
+/// point with width_m on a border) where the way is shortest, 0.4 m or more from their ends (chosen among
+/// points 1 m apart, then pulled straight).
+std::unique_ptr<Planner> makeOptimalPlanner(std::shared_ptr<const Building> building,
+                                            RouteOptions options = {});
+/// The paper's 4.1 as printed: next access by direction and distance to the destination, dead ends struck out
+/// and restarted, levels joined by common stairs or lifts. Not the shortest way; for comparison.
+std::unique_ptr<Planner> makeGreedyPlanner(std::shared_ptr<const Building> building,
+                                           RouteOptions options = {});
 
-/// Turns, doors and level changes along a path. `portals` are the indices into `path` of the accesses, in order. A turn
-/// is one from 30 degrees on; bends within 1 m of an access belong to its manoeuvre, and bends within 1 m of each other
-/// are one turn. What `lengthM` has beyond the path's flat length is walked on stairs, ramps and escalators.
+/// Turns, doors and level changes along a path. `portals` are the indices into `path` of the accesses, in
+/// order. A turn is one from 30 degrees on; bends within 1 m of an access belong to its manoeuvre, and bends
+/// within 1 m of each other are one turn. What `lengthM` has beyond the path's flat length is walked on
+/// stairs, ramps and escalators.
 std::vector<Manoeuvre> manoeuvresAlong(const Building& building, const Route& route,
                                        const std::vector<std::size_t>& portals);
 

@@ -14,15 +14,17 @@ using building::Region;
 
 namespace {
 
-constexpr double kStairsRun = 2.0;      // metres walked for each metre of height: stairs rise at about 30 degrees
-constexpr double kRampRun = 12.0;       // accessible ramps rise by 1 in 12
-constexpr double kWideOpeningM = 1.2;   // from here on one does not aim for the middle
-constexpr double kOpeningMarginM = 0.4; // half a person, kept from the ends of a wide opening
+constexpr double kStairsRun = 2.0; // metres walked for each metre of height: stairs rise at about 30 degrees
+constexpr double kRampRun = 12.0;  // accessible ramps rise by 1 in 12
+constexpr double kWideOpeningM = 1.2;    // from here on one does not aim for the middle
+constexpr double kOpeningMarginM = 0.4;  // half a person, kept from the ends of a wide opening
 constexpr double kCrossingsApartM = 1.0; // at most, along a wide opening
 constexpr int kMostCrossings = 9;
 constexpr int kSlides = 12;
 
-bool sameLevel(double a, double b) { return std::abs(a - b) < 1e-6; }
+bool sameLevel(double a, double b) {
+    return std::abs(a - b) < 1e-6;
+}
 
 /// The point of a-b over which the way from `from` to `to` is shortest.
 Point2 bestCrossing(Point2 a, Point2 b, Point2 from, Point2 to) {
@@ -40,8 +42,8 @@ Point2 bestCrossing(Point2 a, Point2 b, Point2 from, Point2 to) {
     return a + along * std::clamp(atFrom + (atTo - atFrom) * share, 0.0, 1.0);
 }
 
-/// From one jamb to the other. An opening drawn as a point with a width lies along the border it stands on, as far as
-/// that border goes.
+/// From one jamb to the other. An opening drawn as a point with a width lies along the border it stands on,
+/// as far as that border goes.
 Polyline widthLine(const Access& access, const Polygon& polygon) {
     if (access.line.size() != 1 || !access.widthM || *access.widthM < kWideOpeningM) return access.line;
     Polyline best = access.line;
@@ -84,12 +86,18 @@ const RouteGraph::Obstacles& RouteGraph::allObstacles() {
 
 const char* RouteGraph::obstacleWords(Obstacle obstacle) {
     switch (obstacle) {
-    case Obstacle::Stairs: return "stairs";
-    case Obstacle::Elevator: return "lift";
-    case Obstacle::Escalator: return "escalator";
-    case Obstacle::Restricted: return "a restricted region";
-    case Obstacle::Closed: return "a closed access";
-    case Obstacle::OneWay: return "a one-way access";
+    case Obstacle::Stairs:
+        return "stairs";
+    case Obstacle::Elevator:
+        return "lift";
+    case Obstacle::Escalator:
+        return "escalator";
+    case Obstacle::Restricted:
+        return "a restricted region";
+    case Obstacle::Closed:
+        return "a closed access";
+    case Obstacle::OneWay:
+        return "a one-way access";
     }
     return "";
 }
@@ -103,7 +111,8 @@ struct RouteGraph::Room {
 };
 
 RouteGraph::RouteGraph(std::shared_ptr<const Building> building, RouteOptions options)
-    : m_building(std::move(building)), m_options(options),
+    : m_building(std::move(building)),
+      m_options(options),
       m_rooms(std::make_unique<Room[]>(m_building->regions().size())) {
     for (const Access& access : m_building->accesses()) {
         const Region* region = m_building->region(access.regionA);
@@ -112,8 +121,10 @@ RouteGraph::RouteGraph(std::shared_ptr<const Building> building, RouteOptions op
         if (m_widths.back().empty()) continue;
         Point2 a = m_widths.back()[0];
         Point2 along = m_widths.back()[1] - a;
-        int parts = std::clamp(static_cast<int>(std::ceil(length(along) / kCrossingsApartM)), 1, kMostCrossings - 1);
-        for (int i = 0; i <= parts; ++i) m_crossings.back().push_back(a + along * (static_cast<double>(i) / parts));
+        int parts =
+            std::clamp(static_cast<int>(std::ceil(length(along) / kCrossingsApartM)), 1, kMostCrossings - 1);
+        for (int i = 0; i <= parts; ++i)
+            m_crossings.back().push_back(a + along * (static_cast<double>(i) / parts));
     }
 }
 
@@ -167,7 +178,8 @@ double RouteGraph::heightM(const Step& step) const {
     if (sameLevel(from, into)) return 0.0;
     const building::Level* a = m_building->level(from);
     const building::Level* b = m_building->level(into);
-    if (a != nullptr && b != nullptr && a->elevationM && b->elevationM) return std::abs(*a->elevationM - *b->elevationM);
+    if (a != nullptr && b != nullptr && a->elevationM && b->elevationM)
+        return std::abs(*a->elevationM - *b->elevationM);
     return std::abs(from - into) * m_options.storeyHeightM;
 }
 
@@ -181,13 +193,17 @@ double RouteGraph::seconds(const Step& step, const Step* previous) const {
     const Access& access = m_building->accesses()[step.access];
     double levels = std::abs(m_building->regions()[step.from].level - m_building->regions()[step.into].level);
     switch (access.kind) {
-    case AccessKind::Door: return m_options.doorSeconds;
+    case AccessKind::Door:
+        return m_options.doorSeconds;
     case AccessKind::Stairs:
-    case AccessKind::Escalator: return m_options.stairsSecondsPerLevel * levels;
-    case AccessKind::Ramp: return walkingSeconds(verticalM(step));
+    case AccessKind::Escalator:
+        return m_options.stairsSecondsPerLevel * levels;
+    case AccessKind::Ramp:
+        return walkingSeconds(verticalM(step));
     case AccessKind::Elevator: {
         // In the car: the same shaft, or the map says that the region between is a lift.
-        bool inCar = !access.shaft.empty() || m_building->regions()[step.from].kind == building::RegionKind::Elevator;
+        bool inCar =
+            !access.shaft.empty() || m_building->regions()[step.from].kind == building::RegionKind::Elevator;
         bool riding = inCar && previous != nullptr &&
                       m_building->accesses()[previous->access].kind == AccessKind::Elevator &&
                       m_building->accesses()[previous->access].shaft == access.shaft;
@@ -197,7 +213,8 @@ double RouteGraph::seconds(const Step& step, const Step* previous) const {
     }
     case AccessKind::Opening:
     case AccessKind::Window:
-    case AccessKind::Other: return 0.0;
+    case AccessKind::Other:
+        return 0.0;
     }
     return 0.0;
 }
@@ -228,7 +245,8 @@ double RouteGraph::between(std::size_t region, const Step& a, const Step& b) con
     Room& room = m_rooms[region];
     std::call_once(room.lengthsOnce, [&] {
         room.starts.push_back(0);
-        for (std::size_t access : accesses) room.starts.push_back(room.starts.back() + m_crossings[access].size());
+        for (std::size_t access : accesses)
+            room.starts.push_back(room.starts.back() + m_crossings[access].size());
         room.lengths = lengthsWithin(region);
     });
     auto position = [&](const Step& step) { // accessesOf is in the order of the map
@@ -239,7 +257,8 @@ double RouteGraph::between(std::size_t region, const Step& a, const Step& b) con
 }
 
 /// The way with the fewest obstacles, all of them of the kinds allowed; no steps when there is none.
-std::vector<Step> RouteGraph::fewestObstacles(const Obstacles& allowed, std::size_t from, std::size_t to) const {
+std::vector<Step> RouteGraph::fewestObstacles(const Obstacles& allowed, std::size_t from,
+                                              std::size_t to) const {
     std::vector<std::size_t> cost(m_building->regions().size(), static_cast<std::size_t>(-1));
     std::vector<std::optional<Step>> by(m_building->regions().size());
     std::deque<std::pair<std::size_t, std::size_t>> open{{0, from}};
@@ -272,8 +291,10 @@ bool RouteGraph::reachable(std::size_t from, std::size_t to) const {
     return from == to || !fewestObstacles({}, from, to).empty();
 }
 
-/// Between which regions the obstacle stands first on the way with the fewest of those allowed, in brackets; or nothing.
-std::string RouteGraph::where(Obstacle obstacle, const Obstacles& allowed, std::size_t from, std::size_t to) const {
+/// Between which regions the obstacle stands first on the way with the fewest of those allowed, in brackets;
+/// or nothing.
+std::string RouteGraph::where(Obstacle obstacle, const Obstacles& allowed, std::size_t from,
+                              std::size_t to) const {
     for (const Step& step : fewestObstacles(allowed, from, to)) {
         auto found = obstacles(step, from, to);
         if (found && found->count(obstacle) != 0)
@@ -287,7 +308,8 @@ std::string RouteGraph::severalObstacles(std::size_t from, std::size_t to) const
     std::string text;
     for (Obstacle obstacle : allObstacles()) {
         std::string sides = where(obstacle, allObstacles(), from, to);
-        if (!sides.empty()) text += (text.empty() ? "" : " and ") + std::string(obstacleWords(obstacle)) + sides;
+        if (!sides.empty())
+            text += (text.empty() ? "" : " and ") + std::string(obstacleWords(obstacle)) + sides;
     }
     return "past " + text + " only";
 }
@@ -297,12 +319,13 @@ Error RouteGraph::unreachable(std::size_t from, std::size_t to) const {
     std::string goal = spokenName(m_building->regions()[to]);
     std::string context = start + " to " + goal;
     if (fewestObstacles(allObstacles(), from, to).empty())
-        return {ErrorCode::NotFound, "there is no way at all: the map joins " + goal + " and " + start + " by no access",
-                context};
+        return {ErrorCode::NotFound,
+                "there is no way at all: the map joins " + goal + " and " + start + " by no access", context};
     // What would do by itself is told, all of it; else what stands on the way with the fewest obstacles.
     std::string alternatives;
     bool several = false;
-    for (Obstacle obstacle : {Obstacle::Stairs, Obstacle::Elevator, Obstacle::Escalator, Obstacle::Restricted}) {
+    for (Obstacle obstacle :
+         {Obstacle::Stairs, Obstacle::Elevator, Obstacle::Escalator, Obstacle::Restricted}) {
         if (fewestObstacles({obstacle}, from, to).empty()) continue;
         several = !alternatives.empty() || obstacle == Obstacle::Stairs;
         alternatives += (alternatives.empty() ? "" : " or ") + std::string(obstacleWords(obstacle));
@@ -314,7 +337,8 @@ Error RouteGraph::unreachable(std::size_t from, std::size_t to) const {
         how = "through a closed access only" + where(Obstacle::Closed, {Obstacle::Closed}, from, to);
     else if (!fewestObstacles({Obstacle::OneWay}, from, to).empty())
         how = "against a one-way access only" + where(Obstacle::OneWay, {Obstacle::OneWay}, from, to);
-    else how = severalObstacles(from, to);
+    else
+        how = severalObstacles(from, to);
     return {ErrorCode::NotFound, goal + " can be reached " + how, context};
 }
 
@@ -344,7 +368,8 @@ std::vector<Point2> RouteGraph::pulledStraight(const Endpoint& from, const Endpo
         std::vector<Point2> before = points;
         for (std::size_t i = 1; i + 1 < points.size(); ++i) slide(points, steps, i);
         double moved = 0.0;
-        for (std::size_t i = 0; i < points.size(); ++i) moved = std::max(moved, distance(points[i], before[i]));
+        for (std::size_t i = 0; i < points.size(); ++i)
+            moved = std::max(moved, distance(points[i], before[i]));
         if (moved < 0.01) break;
     }
     return points;

@@ -1,5 +1,6 @@
 #pragma once
-// What both planners share: which accesses may be passed, what that costs, and the Route made from a chosen row of them.
+// What both planners share: which accesses may be passed, what that costs, and the Route made from a chosen
+// row of them.
 
 #include "core/routing/route.h"
 #include "core/routing/walking_space.h"
@@ -34,12 +35,13 @@ public:
     const Building& building() const { return *m_building; }
     const RouteOptions& options() const { return m_options; }
 
-    /// NotFound for a region that is not in the map; a position outside its region is taken at the region's border.
+    /// NotFound for a region that is not in the map; a position outside its region is taken at the region's
+    /// border.
     Result<Endpoint> endpoint(const Location& location, const std::string& role) const;
     /// Where an access may be crossed: its middle, and for a wide opening further points beside it.
     const std::vector<Point2>& crossings(std::size_t access) const { return m_crossings[access]; }
-    /// The steps out of a region that may be taken on the way from `start` to `goal`, in the order of the map; each over
-    /// the middle.
+    /// The steps out of a region that may be taken on the way from `start` to `goal`, in the order of the
+    /// map; each over the middle.
     std::vector<Step> stepsFrom(std::size_t region, std::size_t start, std::size_t goal) const;
     /// Seconds to pass the access after `previous` (a lift is waited for once a ride).
     double seconds(const Step& step, const Step* previous) const;
@@ -68,7 +70,8 @@ private:
     double heightM(const Step& step) const;
     double verticalM(const Step& step) const;
     std::vector<double> lengthsWithin(std::size_t region) const;
-    std::vector<Point2> pulledStraight(const Endpoint& from, const Endpoint& to, const std::vector<Step>& steps) const;
+    std::vector<Point2> pulledStraight(const Endpoint& from, const Endpoint& to,
+                                       const std::vector<Step>& steps) const;
     void slide(std::vector<Point2>& points, const std::vector<Step>& steps, std::size_t i) const;
     void appendLeg(Route& route, std::size_t region, Point2 from, Point2 to) const;
 

@@ -1,10 +1,11 @@
 #include "core/routing/walking_space.h"
 
+#include <queue>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <queue>
 #include <utility>
 
 namespace farol::routing {
@@ -35,7 +36,8 @@ void forEachEdge(const Polygon& polygon, Visit visit) {
 
 } // namespace
 
-WalkingSpace::WalkingSpace(const Polygon& polygon) : m_origin(polygon.outer.empty() ? Point2{} : polygon.outer[0]) {
+WalkingSpace::WalkingSpace(const Polygon& polygon)
+    : m_origin(polygon.outer.empty() ? Point2{} : polygon.outer[0]) {
     m_polygon.outer = prepared(polygon.outer, m_origin, true);
     for (const Ring& hole : polygon.holes) m_polygon.holes.push_back(prepared(hole, m_origin, false));
     auto collect = [&](const Ring& ring) {
@@ -50,7 +52,8 @@ WalkingSpace::WalkingSpace(const Polygon& polygon) : m_origin(polygon.outer.empt
     m_visible.resize(m_corners.size());
     for (std::size_t i = 0; i < m_corners.size(); ++i) {
         for (std::size_t j = i + 1; j < m_corners.size(); ++j) {
-            if (!worthGoing(m_corners[i], m_corners[j].position) || !worthGoing(m_corners[j], m_corners[i].position) ||
+            if (!worthGoing(m_corners[i], m_corners[j].position) ||
+                !worthGoing(m_corners[j], m_corners[i].position) ||
                 !sees(m_corners[i].position, m_corners[j].position))
                 continue;
             m_visible[i].push_back(j);
@@ -163,7 +166,9 @@ WalkingSpace::Way WalkingSpace::wayTo(const Tree& tree, Point2 target) const {
     return best;
 }
 
-double WalkingSpace::lengthTo(const Tree& tree, Point2 target) const { return wayTo(tree, target - m_origin).length; }
+double WalkingSpace::lengthTo(const Tree& tree, Point2 target) const {
+    return wayTo(tree, target - m_origin).length;
+}
 
 Polyline WalkingSpace::pathTo(const Tree& tree, Point2 target) const {
     Point2 local = target - m_origin;

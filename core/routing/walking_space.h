@@ -1,5 +1,6 @@
 #pragma once
-// Walking inside one region: shortest paths within its polygon, round corners and columns, never through walls.
+// Walking inside one region: shortest paths within its polygon, round corners and columns, never through
+// walls.
 
 #include "core/base/geometry.h"
 
@@ -8,8 +9,8 @@
 
 namespace farol::routing {
 
-/// A visibility graph over the corners one may have to walk round. Points outside the polygon (a door drawn in the
-/// middle of a thick wall) are reached from their nearest point on its border.
+/// A visibility graph over the corners one may have to walk round. Points outside the polygon (a door drawn
+/// in the middle of a thick wall) are reached from their nearest point on its border.
 class WalkingSpace {
 public:
     explicit WalkingSpace(const Polygon& polygon);

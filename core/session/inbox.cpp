@@ -8,7 +8,8 @@ namespace farol::session {
 namespace {
 
 void prepend(std::vector<std::string>& messages, std::vector<std::string>& earlier) {
-    messages.insert(messages.begin(), std::make_move_iterator(earlier.begin()), std::make_move_iterator(earlier.end()));
+    messages.insert(messages.begin(), std::make_move_iterator(earlier.begin()),
+                    std::make_move_iterator(earlier.end()));
     earlier.clear();
 }
 

@@ -1,7 +1,7 @@
 #pragma once
-// The one place where the threads of a walk meet: frames from the capture thread (a single slot), commands from any
-// thread (in order), and what the session thread is to do next. It is one monitor and not a LatestValue because the
-// session must wake for a command, a pause or the end as well as for a frame.
+// The one place where the threads of a walk meet: frames from the capture thread (a single slot), commands
+// from any thread (in order), and what the session thread is to do next. It is one monitor and not a
+// LatestValue because the session must wake for a command, a pause or the end as well as for a frame.
 
 #include "core/capture/frame_source.h"
 #include "core/session/pacer.h"
@@ -42,7 +42,8 @@ public:
     using Clock = std::function<Pacer::TimePoint()>;
 
     /// `clock`: the wall clock by which frames are paced.
-    explicit Inbox(double speed, Clock clock = &Pacer::TimePoint::clock::now) : m_clock(std::move(clock)), m_pacer(speed) {}
+    explicit Inbox(double speed, Clock clock = &Pacer::TimePoint::clock::now)
+        : m_clock(std::move(clock)), m_pacer(speed) {}
 
     // The capture thread. False: the walk is being stopped.
     bool waitUntilReady();

@@ -17,7 +17,9 @@ const Json& emptyObject() {
     return json;
 }
 
-std::string quoted(const char* key) { return std::string("\"") + key + "\""; }
+std::string quoted(const char* key) {
+    return std::string("\"") + key + "\"";
+}
 
 } // namespace
 
@@ -31,7 +33,9 @@ const Json* JsonFields::find(const char* key) const {
     return it == m_object.end() || it->is_null() ? nullptr : &*it;
 }
 
-bool JsonFields::has(const char* key) const { return find(key) != nullptr; }
+bool JsonFields::has(const char* key) const {
+    return find(key) != nullptr;
+}
 
 void JsonFields::complain(const std::string& sentence) {
     if (m_wrong.empty()) m_wrong = sentence;
@@ -47,19 +51,23 @@ std::optional<double> JsonFields::optionalNumber(const char* key) {
     return value->get<double>();
 }
 
-double JsonFields::numberOr(const char* key, double fallback) { return optionalNumber(key).value_or(fallback); }
+double JsonFields::numberOr(const char* key, double fallback) {
+    return optionalNumber(key).value_or(fallback);
+}
 
 double JsonFields::number(const char* key) {
     if (!has(key)) complain(quoted(key) + " is missing");
     return numberOr(key, 0.0);
 }
 
-std::int64_t JsonFields::integerOr(const char* key, std::int64_t low, std::int64_t high, std::int64_t fallback) {
+std::int64_t JsonFields::integerOr(const char* key, std::int64_t low, std::int64_t high,
+                                   std::int64_t fallback) {
     const Json* value = find(key);
     if (value == nullptr) return fallback;
     // A number beyond 63 bits is stored as unsigned and would wrap.
     bool whole = value->is_number_unsigned()
-                     ? value->get<std::uint64_t>() <= static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max())
+                     ? value->get<std::uint64_t>() <=
+                           static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max())
                      : value->is_number_integer();
     if (whole) {
         auto number = value->get<std::int64_t>();
@@ -141,9 +149,13 @@ Quad JsonFields::quad(const char* key) {
     return corners;
 }
 
-std::string dumped(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+std::string dumped(const Json& json) {
+    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
 
-Json exactNumber(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+Json exactNumber(double value) {
+    return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
 
 Json printedNumber(double value) {
     double scaled = value * 1000.0;

@@ -1,6 +1,6 @@
 #pragma once
-// Reads fields of a JSON object that somebody else wrote: the first thing that is wrong is kept as a sentence, later
-// reads answer something harmless, and the caller asks once at the end.
+// Reads fields of a JSON object that somebody else wrote: the first thing that is wrong is kept as a
+// sentence, later reads answer something harmless, and the caller asks once at the end.
 
 #include "core/base/error.h"
 #include "core/base/geometry.h"
@@ -31,8 +31,8 @@ public:
     std::string textOr(const char* key, const std::string& fallback); ///< also for null
     /// Exactly `count` finite numbers.
     std::vector<double> numbers(const char* key, std::size_t count);
-    Quad quad(const char* key); ///< [[x,y] x 4]
-    const Json& array(const char* key); ///< an empty array when it is none
+    Quad quad(const char* key);          ///< [[x,y] x 4]
+    const Json& array(const char* key);  ///< an empty array when it is none
     const Json& object(const char* key); ///< an empty object when it is none
 
     void complain(const std::string& sentence); ///< the first one stays
@@ -47,7 +47,8 @@ private:
     std::string m_wrong;
 };
 
-/// Shortest text that reads back the same; bytes that are no UTF-8 (a file name) become replacement characters.
+/// Shortest text that reads back the same; bytes that are no UTF-8 (a file name) become replacement
+/// characters.
 std::string dumped(const Json& json);
 /// A finite number with all its digits, else null.
 Json exactNumber(double value);

@@ -9,11 +9,17 @@ namespace farol::session {
 
 namespace {
 
-Json textOrNull(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }
+Json textOrNull(const std::string& text) {
+    return text.empty() ? Json(nullptr) : Json(text);
+}
 
-Json pointJson(double x, double y) { return Json::array({printedNumber(x), printedNumber(y)}); }
+Json pointJson(double x, double y) {
+    return Json::array({printedNumber(x), printedNumber(y)});
+}
 
-Json degreesJson(Radians angle) { return printedNumber(toDegrees(angle)); }
+Json degreesJson(Radians angle) {
+    return printedNumber(toDegrees(angle));
+}
 
 Json lineHead(const char* type, double time, std::uint64_t frame) {
     Json json;
@@ -39,7 +45,8 @@ Json detectionJson(const Percept& percept, const recognition::Detection& detecti
     json["kind"] = kindName(detection.kind);
     json["template"] = textOrNull(detection.templateId.value);
     json["text"] = textOrNull(detection.text);
-    json["box"] = Json::array({printedNumber(box.x), printedNumber(box.y), printedNumber(box.width), printedNumber(box.height)});
+    json["box"] = Json::array(
+        {printedNumber(box.x), printedNumber(box.y), printedNumber(box.width), printedNumber(box.height)});
     json["image"] = Json::array({detection.image.width, detection.image.height});
     json["score"] = printedNumber(detection.score);
     json["range_m"] = detection.rangeM ? printedNumber(*detection.rangeM) : Json(nullptr);
@@ -76,9 +83,12 @@ void addFixFields(Json& json, const localisation::Fix& fix) {
 
 const char* verticalName(routing::Vertical vertical) {
     switch (vertical) {
-    case routing::Vertical::Up: return "up";
-    case routing::Vertical::Down: return "down";
-    case routing::Vertical::None: break;
+    case routing::Vertical::Up:
+        return "up";
+    case routing::Vertical::Down:
+        return "down";
+    case routing::Vertical::None:
+        break;
     }
     return "none";
 }
@@ -121,19 +131,27 @@ Json progressJson(const NavigationStep& step, Json fields, const guidance::Progr
     Json json = lineHead("progress", step.percept.time, step.percept.frame);
     for (auto& [key, value] : fields.items()) json[key] = std::move(value);
     const guidance::Progress& now = step.progress;
-    if (now.route && (before == nullptr || before->routeVersion != now.routeVersion)) json["route"] = routeJson(*now.route);
+    if (now.route && (before == nullptr || before->routeVersion != now.routeVersion))
+        json["route"] = routeJson(*now.route);
     return json;
 }
 
 const char* priorityName(guidance::CuePriority priority) {
     switch (priority) {
-    case guidance::CuePriority::Warning: return "warning";
-    case guidance::CuePriority::ActNow: return "act_now";
-    case guidance::CuePriority::OffRoute: return "off_route";
-    case guidance::CuePriority::Prepare: return "prepare";
-    case guidance::CuePriority::Arrival: return "arrival";
-    case guidance::CuePriority::Detection: return "detection";
-    case guidance::CuePriority::Reassurance: break;
+    case guidance::CuePriority::Warning:
+        return "warning";
+    case guidance::CuePriority::ActNow:
+        return "act_now";
+    case guidance::CuePriority::OffRoute:
+        return "off_route";
+    case guidance::CuePriority::Prepare:
+        return "prepare";
+    case guidance::CuePriority::Arrival:
+        return "arrival";
+    case guidance::CuePriority::Detection:
+        return "detection";
+    case guidance::CuePriority::Reassurance:
+        break;
     }
     return "reassurance";
 }
@@ -178,12 +196,13 @@ Json routeJson(const routing::Route& route) {
     for (const AccessId& access : route.accesses) json["accesses"].push_back(access.value);
     json["path"] = Json::array();
     for (const routing::PathPoint& point : route.path)
-        json["path"].push_back(
-            Json::array({printedNumber(point.position.x), printedNumber(point.position.y), printedNumber(point.level)}));
+        json["path"].push_back(Json::array(
+            {printedNumber(point.position.x), printedNumber(point.position.y), printedNumber(point.level)}));
     json["length_m"] = printedNumber(route.lengthM);
     json["seconds"] = printedNumber(route.seconds);
     json["manoeuvres"] = Json::array();
-    for (const routing::Manoeuvre& manoeuvre : route.manoeuvres) json["manoeuvres"].push_back(manoeuvreJson(manoeuvre));
+    for (const routing::Manoeuvre& manoeuvre : route.manoeuvres)
+        json["manoeuvres"].push_back(manoeuvreJson(manoeuvre));
     return json;
 }
 

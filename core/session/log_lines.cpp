@@ -14,7 +14,8 @@ constexpr std::int64_t kMostPixels = 1'000'000;
 
 ImageSize readSize(JsonFields& fields, const char* key) {
     std::vector<double> size = fields.numbers(key, 2);
-    bool sane = size[0] >= 1.0 && size[1] >= 1.0 && size[0] <= double(kMostPixels) && size[1] <= double(kMostPixels);
+    bool sane =
+        size[0] >= 1.0 && size[1] >= 1.0 && size[0] <= double(kMostPixels) && size[1] <= double(kMostPixels);
     if (!sane) {
         fields.complain(std::string("\"") + key + "\" is not a picture's [width, height] in pixels");
         return {};
@@ -76,7 +77,8 @@ bool isLineOfRun(const std::string& type) {
 
 Result<LogLine> parseLogLine(const std::string& text) {
     auto json = parsedJson(text);
-    if (!json) return Error{ErrorCode::Corrupt, "is not JSON (numbers such as NaN are not allowed either)", ""};
+    if (!json)
+        return Error{ErrorCode::Corrupt, "is not JSON (numbers such as NaN are not allowed either)", ""};
     JsonFields fields(*json);
     double time = fields.number("t");
     std::string type = fields.textOr("type", "detection");
@@ -95,7 +97,8 @@ Result<LogLine> parseLogLine(const std::string& text) {
     }
     if (json->contains("motion")) return readMotion(fields, time);
     if (json->contains("kind")) return readDetection(fields, time);
-    return Error{ErrorCode::Corrupt, "is neither a detection (\"kind\") nor \"start\", \"to\" or \"motion\"", ""};
+    return Error{ErrorCode::Corrupt, "is neither a detection (\"kind\") nor \"start\", \"to\" or \"motion\"",
+                 ""};
 }
 
 } // namespace farol::session

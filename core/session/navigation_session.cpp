@@ -25,8 +25,8 @@ double millisecondsSince(std::chrono::steady_clock::time_point start) {
 
 bool changesCourse(const InboxItem& item) {
     const auto* command = std::get_if<Command>(&item);
-    return command != nullptr &&
-           (std::holds_alternative<StartCommand>(*command) || std::holds_alternative<DestinationCommand>(*command));
+    return command != nullptr && (std::holds_alternative<StartCommand>(*command) ||
+                                  std::holds_alternative<DestinationCommand>(*command));
 }
 
 } // namespace
@@ -35,7 +35,8 @@ Result<void> SessionOptions::check() const {
     if (auto checked = perception.check(); !checked) return checked;
     if (auto checked = navigator.check(); !checked) return checked;
     if (!std::isfinite(speed) || speed < Pacer::kSlowest || speed > Pacer::kFastest)
-        return Error{ErrorCode::InvalidArgument, "the speed of playing is to be between 0.05 and 1000", "speed"};
+        return Error{ErrorCode::InvalidArgument, "the speed of playing is to be between 0.05 and 1000",
+                     "speed"};
     return {};
 }
 
@@ -83,8 +84,8 @@ struct NavigationSession::Impl {
 };
 
 void NavigationSession::Impl::hear(const capture::SourceEvent& event, std::vector<std::string>& messages) {
-    // A file's skipped picture is told just before the next frame, whatever the session is doing meanwhile: the same
-    // walk gives the same lines. A camera's news cannot wait for a frame that may never come.
+    // A file's skipped picture is told just before the next frame, whatever the session is doing meanwhile:
+    // the same walk gives the same lines. A camera's news cannot wait for a frame that may never come.
     if (event.kind == capture::SourceEventKind::FrameSkipped && !source->live()) {
         messages.push_back(event.message);
     } else {
@@ -98,7 +99,8 @@ bool NavigationSession::Impl::capture(std::vector<std::string>& messages) {
     if (!frame) return false;
     Parcel parcel{std::move(*frame), std::exchange(messages, {})};
     if (source->live()) return inbox.putNewest(std::move(parcel));
-    return options.pace == Pace::RealTime ? inbox.putWhenDue(std::move(parcel)) : inbox.putWhenFree(std::move(parcel));
+    return options.pace == Pace::RealTime ? inbox.putWhenDue(std::move(parcel))
+                                          : inbox.putWhenFree(std::move(parcel));
 }
 
 void NavigationSession::Impl::runCapture() {
@@ -108,8 +110,10 @@ void NavigationSession::Impl::runCapture() {
     std::string failure;
     try {
         if (inbox.waitUntilReady())
-            while (capture(messages)) {}
-        if (source->live() && !inbox.stopped()) failure = source->description() + " delivers no more pictures";
+            while (capture(messages)) {
+            }
+        if (source->live() && !inbox.stopped())
+            failure = source->description() + " delivers no more pictures";
     } catch (const std::exception& exception) {
         failure = source->description() + " broke down: " + exception.what();
     }
@@ -173,7 +177,8 @@ void NavigationSession::Impl::handle(Parcel parcel, Perception& perception) {
     auto next = std::make_shared<Snapshot>();
     Percept percept = look(parcel.frame, perception, next->times);
     if (recorder)
-        if (auto written = recorder->write(percept, parcel.frame.image); !written) recordingStopped(written.error());
+        if (auto written = recorder->write(percept, parcel.frame.image); !written)
+            recordingStopped(written.error());
     auto before = std::chrono::steady_clock::now();
     next->step = navigator->advance(std::move(percept));
     next->times.navigateMs = millisecondsSince(before);
@@ -225,13 +230,18 @@ void NavigationSession::Impl::end(const std::string& failure) {
 
 bool NavigationSession::Impl::handle(Work work, Perception& perception) {
     switch (work.kind) {
-    case Work::Kind::Stopped: return false;
+    case Work::Kind::Stopped:
+        return false;
     case Work::Kind::Items:
         for (const InboxItem& item : work.items) handle(item);
         publishWithoutFrame(std::any_of(work.items.begin(), work.items.end(), changesCourse));
         break;
-    case Work::Kind::StateChanged: tellState(); break;
-    case Work::Kind::Frame: handle(std::move(work.parcel), perception); break;
+    case Work::Kind::StateChanged:
+        tellState();
+        break;
+    case Work::Kind::Frame:
+        handle(std::move(work.parcel), perception);
+        break;
     case Work::Kind::Ended:
         for (const std::string& message : work.parcel.messages) tell(message);
         end(work.failure);
@@ -246,7 +256,8 @@ void NavigationSession::Impl::walk() {
     for (const std::string& warning : missing) tell(warning);
     tellState();
     inbox.setReady();
-    while (handle(inbox.next(), perception)) {}
+    while (handle(inbox.next(), perception)) {
+    }
 }
 
 void NavigationSession::Impl::runSession() {
@@ -255,7 +266,8 @@ void NavigationSession::Impl::runSession() {
         walk();
         tellState();
     } catch (const std::exception& exception) {
-        // Nothing of ours throws; a library or a handler did. The walk ends with a word instead of the program.
+        // Nothing of ours throws; a library or a handler did. The walk ends with a word instead of the
+        // program.
         std::string text = std::string("the walk broke off: ") + exception.what();
         logError(text);
         inbox.setOver(RunState::Failed);
@@ -266,17 +278,21 @@ void NavigationSession::Impl::runSession() {
     inbox.stop(); // the capture thread must not wait for a taker that is gone
 }
 
-Result<std::unique_ptr<NavigationSession>> NavigationSession::create(
-    std::shared_ptr<const building::Building> building, std::shared_ptr<const recognition::LandmarkLibrary> library,
-    std::unique_ptr<capture::FrameSource> source, const SessionOptions& options, SessionHandlers handlers) {
-    if (!source) return Error{ErrorCode::InvalidArgument, "there is no source of pictures; open one first", "source"};
+Result<std::unique_ptr<NavigationSession>>
+NavigationSession::create(std::shared_ptr<const building::Building> building,
+                          std::shared_ptr<const recognition::LandmarkLibrary> library,
+                          std::unique_ptr<capture::FrameSource> source, const SessionOptions& options,
+                          SessionHandlers handlers) {
+    if (!source)
+        return Error{ErrorCode::InvalidArgument, "there is no source of pictures; open one first", "source"};
     if (auto checked = options.check(); !checked) return checked.error();
     auto navigator = Navigator::create(building, options.navigator);
     if (!navigator) return navigator.error();
     auto impl = std::make_unique<Impl>(options, std::move(handlers));
     if (impl->options.sourceName.empty()) impl->options.sourceName = source->description();
     if (options.recordFolder) {
-        RecordingHeader header{1, impl->options.sourceName, options.mapName, options.libraryName, options.navigator};
+        RecordingHeader header{1, impl->options.sourceName, options.mapName, options.libraryName,
+                               options.navigator};
         auto recorder = Recorder::create(*options.recordFolder, header, *building);
         if (!recorder) return recorder.error();
         impl->recorder = std::move(recorder).value();
@@ -289,7 +305,9 @@ Result<std::unique_ptr<NavigationSession>> NavigationSession::create(
 
 NavigationSession::NavigationSession(std::unique_ptr<Impl> impl) : m_impl(std::move(impl)) {}
 
-NavigationSession::~NavigationSession() { stop(); }
+NavigationSession::~NavigationSession() {
+    stop();
+}
 
 void NavigationSession::start() {
     std::scoped_lock lock(m_impl->lifecycle);
@@ -309,7 +327,9 @@ void NavigationSession::stop() {
     if (m_impl->sessionThread.joinable()) m_impl->sessionThread.join();
 }
 
-void NavigationSession::wait() { m_impl->inbox.waitUntilOver(); }
+void NavigationSession::wait() {
+    m_impl->inbox.waitUntilOver();
+}
 
 void NavigationSession::setStart(const std::optional<RegionId>& region) {
     m_impl->inbox.post(Command(StartCommand{0.0, region})); // its time is that of the frame before
@@ -323,11 +343,21 @@ void NavigationSession::setVerbosity(guidance::Verbosity verbosity) {
     m_impl->inbox.post(Command(VerbosityCommand{verbosity}));
 }
 
-void NavigationSession::pause() { m_impl->inbox.pause(); }
-void NavigationSession::resume() { m_impl->inbox.resume(); }
-void NavigationSession::stepOnce() { m_impl->inbox.stepOnce(); }
-void NavigationSession::setSpeed(double factor) { m_impl->inbox.setSpeed(factor); }
-RunState NavigationSession::state() const { return m_impl->inbox.state(); }
+void NavigationSession::pause() {
+    m_impl->inbox.pause();
+}
+void NavigationSession::resume() {
+    m_impl->inbox.resume();
+}
+void NavigationSession::stepOnce() {
+    m_impl->inbox.stepOnce();
+}
+void NavigationSession::setSpeed(double factor) {
+    m_impl->inbox.setSpeed(factor);
+}
+RunState NavigationSession::state() const {
+    return m_impl->inbox.state();
+}
 
 std::shared_ptr<const Snapshot> NavigationSession::snapshot() const {
     std::scoped_lock lock(m_impl->snapshotMutex);

@@ -1,7 +1,7 @@
 #pragma once
-// A walk: a source, perception and a navigator on two threads (capture, session) with a one-slot mailbox between
-// them and the newest snapshot for the GUI. Live sources drop old frames and count them; files wait, so that nothing
-// is lost.
+// A walk: a source, perception and a navigator on two threads (capture, session) with a one-slot mailbox
+// between them and the newest snapshot for the GUI. Live sources drop old frames and count them; files wait,
+// so that nothing is lost.
 
 #include "core/session/navigator.h"
 #include "core/session/perception.h"
@@ -20,7 +20,8 @@ enum class Pace { AsFastAsPossible, RealTime };
 struct SessionOptions {
     PerceptionOptions perception;
     NavigatorOptions navigator;
-    Pace pace = Pace::AsFastAsPossible; ///< of sources that are not live; RealTime also drops frames that come too late
+    Pace pace = Pace::AsFastAsPossible; ///< of sources that are not live; RealTime also drops frames that
+                                        ///< come too late
     double speed = 1.0;                 ///< of RealTime
     std::optional<std::filesystem::path> recordFolder;
     std::string mapName, libraryName, sourceName; ///< for the recording's header
@@ -28,22 +29,25 @@ struct SessionOptions {
     Result<void> check() const;
 };
 
-/// Called on the session thread, in order; they must not block for long. After stop() none is called any more. A
-/// handler that calls stop() itself only asks for it: the thread cannot wait for its own end.
+/// Called on the session thread, in order; they must not block for long. After stop() none is called any
+/// more. A handler that calls stop() itself only asks for it: the thread cannot wait for its own end.
 struct SessionHandlers {
     std::function<void(const NavigationStep&, const HopTimes&)> step;
-    std::function<void(const guidance::Cue&)> warning;        ///< cues from outside the chain
-    std::function<void(double, std::uint64_t, const std::string&)> message; ///< time, frame, text: for the log
+    std::function<void(const guidance::Cue&)> warning; ///< cues from outside the chain
+    std::function<void(double, std::uint64_t, const std::string&)>
+        message; ///< time, frame, text: for the log
     std::function<void(RunState)> state;
 };
 
-/// Commands may come from any thread; they take effect before the next frame, also while paused, before start() (then
-/// with it) and after the end of the material.
+/// Commands may come from any thread; they take effect before the next frame, also while paused, before
+/// start() (then with it) and after the end of the material.
 class NavigationSession {
 public:
-    static Result<std::unique_ptr<NavigationSession>> create(
-        std::shared_ptr<const building::Building> building, std::shared_ptr<const recognition::LandmarkLibrary> library,
-        std::unique_ptr<capture::FrameSource> source, const SessionOptions& options, SessionHandlers handlers);
+    static Result<std::unique_ptr<NavigationSession>>
+    create(std::shared_ptr<const building::Building> building,
+           std::shared_ptr<const recognition::LandmarkLibrary> library,
+           std::unique_ptr<capture::FrameSource> source, const SessionOptions& options,
+           SessionHandlers handlers);
     ~NavigationSession(); ///< stops and joins
 
     void start();
@@ -61,7 +65,8 @@ public:
     void setSpeed(double factor);
 
     RunState state() const;
-    /// The newest picture of the walk; null until there is anything to tell. Its frame is empty before the first one.
+    /// The newest picture of the walk; null until there is anything to tell. Its frame is empty before the
+    /// first one.
     std::shared_ptr<const Snapshot> snapshot() const;
 
 private:

@@ -8,14 +8,15 @@ namespace farol::session {
 
 namespace {
 
-Result<std::shared_ptr<const routing::Planner>> makePlanner(const std::shared_ptr<const building::Building>& building,
-                                                            const NavigatorOptions& options) {
+Result<std::shared_ptr<const routing::Planner>>
+makePlanner(const std::shared_ptr<const building::Building>& building, const NavigatorOptions& options) {
     if (options.planner == "optimal")
-        return std::shared_ptr<const routing::Planner>(routing::makeOptimalPlanner(building, options.routing));
+        return std::shared_ptr<const routing::Planner>(
+            routing::makeOptimalPlanner(building, options.routing));
     if (options.planner == "greedy")
         return std::shared_ptr<const routing::Planner>(routing::makeGreedyPlanner(building, options.routing));
-    return Error{ErrorCode::InvalidArgument, "there is no planner \"" + options.planner + "\"; choose optimal or greedy",
-                 "planner"};
+    return Error{ErrorCode::InvalidArgument,
+                 "there is no planner \"" + options.planner + "\"; choose optimal or greedy", "planner"};
 }
 
 std::vector<localisation::Observation> observationsOf(const Percept& percept) {
@@ -42,15 +43,18 @@ Result<std::unique_ptr<Navigator>> Navigator::create(std::shared_ptr<const build
     if (!localiser) return localiser.error();
     auto planner = makePlanner(building, options);
     if (!planner) return planner.error();
-    return std::unique_ptr<Navigator>(
-        new Navigator(std::move(building), std::move(localiser).value(), std::move(planner).value(), options));
+    return std::unique_ptr<Navigator>(new Navigator(std::move(building), std::move(localiser).value(),
+                                                    std::move(planner).value(), options));
 }
 
 Navigator::Navigator(std::shared_ptr<const building::Building> building,
                      std::unique_ptr<localisation::Localiser> localiser,
                      std::shared_ptr<const routing::Planner> planner, const NavigatorOptions& options)
-    : m_building(building), m_localiser(std::move(localiser)), m_history(options.history),
-      m_tracker(building, std::move(planner), options.tracker), m_scheduler(building, options.guidance) {
+    : m_building(building),
+      m_localiser(std::move(localiser)),
+      m_history(options.history),
+      m_tracker(building, std::move(planner), options.tracker),
+      m_scheduler(building, options.guidance) {
     m_localiser->start(0.0, std::nullopt);
 }
 
@@ -68,7 +72,9 @@ void Navigator::setDestination(const std::optional<building::Location>& destinat
     m_tracker.setDestination(destination);
 }
 
-void Navigator::setVerbosity(guidance::Verbosity verbosity) { m_scheduler.setVerbosity(verbosity); }
+void Navigator::setVerbosity(guidance::Verbosity verbosity) {
+    m_scheduler.setVerbosity(verbosity);
+}
 
 NavigationStep Navigator::advance(Percept percept) {
     percept.time = std::max(percept.time, m_lastTime);

@@ -1,6 +1,6 @@
 #pragma once
-// Hops 3 to 6 as one plain call chain: history, localiser, route tracker, cues. `run`, `replay` and `locate` all go
-// through here, so that they cannot differ.
+// Hops 3 to 6 as one plain call chain: history, localiser, route tracker, cues. `run`, `replay` and `locate`
+// all go through here, so that they cannot differ.
 
 #include "core/guidance/cue_scheduler.h"
 #include "core/guidance/route_tracker.h"
@@ -32,15 +32,16 @@ public:
 
     /// Forgets history and fix. Empty: an unknown start.
     void start(double time, const std::optional<RegionId>& region);
-    /// Empty: no destination. The cue that follows (RouteStart, NoRoute, AlreadyThere) comes with the next step.
+    /// Empty: no destination. The cue that follows (RouteStart, NoRoute, AlreadyThere) comes with the next
+    /// step.
     void setDestination(const std::optional<building::Location>& destination);
     void setVerbosity(guidance::Verbosity verbosity);
     /// A percept whose time runs backwards counts as of the time before.
     NavigationStep advance(Percept percept);
     guidance::Cue warning(guidance::CueReason reason, std::string detail);
 
-    /// What the tracker would say now, without a frame and without changing anything: a destination chosen while the
-    /// walk is paused shows its route at once.
+    /// What the tracker would say now, without a frame and without changing anything: a destination chosen
+    /// while the walk is paused shows its route at once.
     guidance::Progress preview() const;
     const localisation::Fix& lastFix() const { return m_lastFix; }
     double lastTime() const { return m_lastTime; }
@@ -48,7 +49,8 @@ public:
     const building::Building& building() const { return *m_building; }
 
 private:
-    Navigator(std::shared_ptr<const building::Building> building, std::unique_ptr<localisation::Localiser> localiser,
+    Navigator(std::shared_ptr<const building::Building> building,
+              std::unique_ptr<localisation::Localiser> localiser,
               std::shared_ptr<const routing::Planner> planner, const NavigatorOptions& options);
 
     std::shared_ptr<const building::Building> m_building;

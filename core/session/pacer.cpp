@@ -5,7 +5,9 @@
 
 namespace farol::session {
 
-Pacer::Pacer(double speed) { setSpeed(speed); }
+Pacer::Pacer(double speed) {
+    setSpeed(speed);
+}
 
 void Pacer::setSpeed(double factor) {
     if (std::isfinite(factor) && factor > 0.0) m_speed = std::clamp(factor, kSlowest, kFastest);
@@ -18,7 +20,8 @@ Pacer::TimePoint Pacer::due(double capturedAt, TimePoint now) const {
     double seconds = (capturedAt - m_last->capturedAt) / m_speed;
     if (!std::isfinite(seconds)) return now;
     seconds = std::clamp(seconds, 0.0, kLongestWait);
-    return m_last->due + std::chrono::duration_cast<TimePoint::duration>(std::chrono::duration<double>(seconds));
+    return m_last->due +
+           std::chrono::duration_cast<TimePoint::duration>(std::chrono::duration<double>(seconds));
 }
 
 bool Pacer::accept(double capturedAt, TimePoint now) {
@@ -33,6 +36,8 @@ bool Pacer::accept(double capturedAt, TimePoint now) {
     return !late;
 }
 
-void Pacer::restart(double lastCapturedAt, TimePoint now) { m_last = Mark{now, lastCapturedAt}; }
+void Pacer::restart(double lastCapturedAt, TimePoint now) {
+    m_last = Mark{now, lastCapturedAt};
+}
 
 } // namespace farol::session

@@ -1,6 +1,6 @@
 #pragma once
-// When a frame of recorded material is due on the wall clock. A value: the caller tells the time, so it is tested
-// without waiting.
+// When a frame of recorded material is due on the wall clock. A value: the caller tells the time, so it is
+// tested without waiting.
 
 #include <chrono>
 #include <cstdint>
@@ -19,8 +19,8 @@ public:
     double speed() const { return m_speed; }
     /// When this frame is due; the first one is due at once.
     TimePoint due(double capturedAt, TimePoint now) const;
-    /// The frame's turn has come. False: it is so late that it is dropped. When reading itself cannot keep up, not
-    /// every frame is dropped: after a few the clock starts anew from the present.
+    /// The frame's turn has come. False: it is so late that it is dropped. When reading itself cannot keep
+    /// up, not every frame is dropped: after a few the clock starts anew from the present.
     bool accept(double capturedAt, TimePoint now);
     /// A pause ends, or a single step was made: the next frame comes one period after `now`.
     void restart(double lastCapturedAt, TimePoint now);

@@ -1,6 +1,6 @@
 #pragma once
-// Everything hop 2 says of one frame (design: the life of a frame), and what the rest of the chain makes of it.
-// These values are what a recording holds and what the GUI shows.
+// Everything hop 2 says of one frame (design: the life of a frame), and what the rest of the chain makes of
+// it. These values are what a recording holds and what the GUI shows.
 
 #include "core/capture/frame_source.h"
 #include "core/guidance/cue.h"
@@ -41,7 +41,8 @@ struct NavigationStep {
 
 /// Milliseconds of each hop for one frame; measured, never part of a decision or of a recording.
 struct HopTimes {
-    double sceneMs = 0.0, landmarksMs = 0.0, doorsMs = 0.0, rectanglesMs = 0.0, textMs = 0.0, navigateMs = 0.0;
+    double sceneMs = 0.0, landmarksMs = 0.0, doorsMs = 0.0, rectanglesMs = 0.0, textMs = 0.0,
+           navigateMs = 0.0;
     double ageMs = 0.0; ///< from the frame's entry into the program to the end of the chain
 };
 

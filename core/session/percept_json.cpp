@@ -12,15 +12,19 @@ constexpr std::int64_t kMostInt = std::numeric_limits<int>::max();
 
 Json exactQuad(const Quad& quad) {
     Json json = Json::array();
-    for (ImagePoint corner : quad) json.push_back(Json::array({exactNumber(corner.x), exactNumber(corner.y)}));
+    for (ImagePoint corner : quad)
+        json.push_back(Json::array({exactNumber(corner.x), exactNumber(corner.y)}));
     return json;
 }
 
-Json sizeJson(ImageSize size) { return Json::array({size.width, size.height}); }
+Json sizeJson(ImageSize size) {
+    return Json::array({size.width, size.height});
+}
 
 ImageSize sizeFrom(JsonFields& fields, const char* key) {
     std::vector<double> size = fields.numbers(key, 2);
-    bool sane = size[0] >= 0.0 && size[1] >= 0.0 && size[0] <= double(kMostInt) && size[1] <= double(kMostInt);
+    bool sane =
+        size[0] >= 0.0 && size[1] >= 0.0 && size[0] <= double(kMostInt) && size[1] <= double(kMostInt);
     if (!sane) {
         fields.complain(std::string("\"") + key + "\" is not a picture's [width, height] in pixels");
         return {};
@@ -119,7 +123,8 @@ Json perceptJson(const Percept& percept) {
 Result<Percept> perceptFromJson(const Json& json) {
     JsonFields fields(json);
     Percept percept;
-    percept.frame = static_cast<std::uint64_t>(fields.integer("frame", 0, std::numeric_limits<std::int64_t>::max()));
+    percept.frame =
+        static_cast<std::uint64_t>(fields.integer("frame", 0, std::numeric_limits<std::int64_t>::max()));
     percept.time = fields.number("t");
     percept.name = fields.textOr("name", "");
     percept.size = sizeFrom(fields, "size");

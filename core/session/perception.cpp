@@ -26,10 +26,12 @@ private:
 };
 
 bool isFinite(const Quad& quad) {
-    return std::all_of(quad.begin(), quad.end(), [](ImagePoint p) { return std::isfinite(p.x) && std::isfinite(p.y); });
+    return std::all_of(quad.begin(), quad.end(),
+                       [](ImagePoint p) { return std::isfinite(p.x) && std::isfinite(p.y); });
 }
 
-/// Whatever a detector's arithmetic did, a percept holds finite numbers only: history, voting and files rely on it.
+/// Whatever a detector's arithmetic did, a percept holds finite numbers only: history, voting and files rely
+/// on it.
 void keepFinite(Percept& percept) {
     std::vector<recognition::Detection> kept;
     for (recognition::Detection& detection : percept.detections) {
@@ -38,7 +40,8 @@ void keepFinite(Percept& percept) {
         if (isFinite(detection.quad) && std::isfinite(detection.score)) {
             kept.push_back(std::move(detection));
         } else {
-            percept.rejections.push_back({"landmarks", detection.kind, detection.templateId, Quad{}, "not_finite", 0.0});
+            percept.rejections.push_back(
+                {"landmarks", detection.kind, detection.templateId, Quad{}, "not_finite", 0.0});
         }
     }
     percept.detections = std::move(kept);
@@ -56,16 +59,19 @@ void append(Percept& percept, recognition::DetectorResult result) {
     std::move(result.rejections.begin(), result.rejections.end(), std::back_inserter(percept.rejections));
 }
 
-bool hasViews(const recognition::LandmarkLibrary* library) { return library != nullptr && library->viewCount() > 0; }
+bool hasViews(const recognition::LandmarkLibrary* library) {
+    return library != nullptr && library->viewCount() > 0;
+}
 
 } // namespace
 
 Result<void> PerceptionOptions::check() const {
-    for (const Result<void>& checked :
-         {recogniser.check(), doorDetector.check(), rectangleDetector.check(), textReader.check(), scene.check()})
+    for (const Result<void>& checked : {recogniser.check(), doorDetector.check(), rectangleDetector.check(),
+                                        textReader.check(), scene.check()})
         if (!checked) return checked;
     if (!std::isfinite(secondsBetweenReadings) || secondsBetweenReadings < 0.0)
-        return Error{ErrorCode::InvalidArgument, "the time between two readings is not a number of seconds from 0 on",
+        return Error{ErrorCode::InvalidArgument,
+                     "the time between two readings is not a number of seconds from 0 on",
                      "secondsBetweenReadings"};
     return {};
 }
@@ -76,7 +82,8 @@ Perception::Perception(std::shared_ptr<const recognition::LandmarkLibrary> libra
     if (m_options.landmarks && hasViews(library.get())) {
         m_recogniser.emplace(std::move(library), m_options.recogniser);
     } else if (m_options.landmarks) {
-        warnings.emplace_back("no trained landmarks: only doors and texts are recognised; give a library made with farol-cli train");
+        warnings.emplace_back("no trained landmarks: only doors and texts are recognised; give a library "
+                              "made with farol-cli train");
     }
     if (!m_options.text) return;
     auto reader = recognition::TextReader::create(m_options.textReader);
@@ -105,10 +112,12 @@ Percept Perception::look(const capture::Frame& frame, HopTimes* times) {
     if (m_options.doors) append(percept, recognition::detectDoors(frame.image, m_options.doorDetector));
     watch.lap(spent.doorsMs);
     bool backwards = m_lastReading && frame.capturedAt < *m_lastReading;
-    bool due = !m_lastReading || backwards || frame.capturedAt - *m_lastReading >= m_options.secondsBetweenReadings;
+    bool due =
+        !m_lastReading || backwards || frame.capturedAt - *m_lastReading >= m_options.secondsBetweenReadings;
     bool read = m_reader && due && percept.sharpness >= m_options.textReader.minSharpness;
     recognition::DetectorResult boards;
-    if (read || m_options.rectangles) boards = recognition::detectRectangles(frame.image, m_options.rectangleDetector);
+    if (read || m_options.rectangles)
+        boards = recognition::detectRectangles(frame.image, m_options.rectangleDetector);
     watch.lap(spent.rectanglesMs);
     if (read) {
         m_lastReading = frame.capturedAt;
@@ -119,12 +128,13 @@ Percept Perception::look(const capture::Frame& frame, HopTimes* times) {
     return percept;
 }
 
-void Perception::readText(const capture::Frame& frame, const recognition::DetectorResult& boards, Percept& percept,
-                          HopTimes& times) {
+void Perception::readText(const capture::Frame& frame, const recognition::DetectorResult& boards,
+                          Percept& percept, HopTimes& times) {
     StopWatch watch;
     std::vector<Quad> plates;
     for (const recognition::Detection& board : boards.detections) plates.push_back(board.quad);
-    // Without a plate there is nothing to read: an empty list would make the reader look for plates once more.
+    // Without a plate there is nothing to read: an empty list would make the reader look for plates once
+    // more.
     if (!plates.empty()) append(percept, m_reader->read(frame.image, plates));
     watch.lap(times.textMs);
 }

@@ -15,8 +15,8 @@ namespace farol::session {
 
 struct PerceptionOptions {
     bool landmarks = true, doors = true, text = true;
-    /// Generic boards as detections too. Off: they only say where the text reader looks, and would fill the short
-    /// history with things that nearly every wall has.
+    /// Generic boards as detections too. Off: they only say where the text reader looks, and would fill the
+    /// short history with things that nearly every wall has.
     bool rectangles = false;
     recognition::RecogniserOptions recogniser;
     recognition::DoorDetectorOptions doorDetector;
@@ -31,13 +31,15 @@ struct PerceptionOptions {
 
 class Perception {
 public:
-    /// `library` may be null: no trained landmarks. `warnings` tells what had to be left out (no landmarks, no tessdata).
+    /// `library` may be null: no trained landmarks. `warnings` tells what had to be left out (no landmarks,
+    /// no tessdata).
     Perception(std::shared_ptr<const recognition::LandmarkLibrary> library, PerceptionOptions options,
                std::vector<std::string>& warnings);
     Percept look(const capture::Frame& frame, HopTimes* times = nullptr);
 
 private:
-    void readText(const capture::Frame& frame, const recognition::DetectorResult& boards, Percept& percept, HopTimes& times);
+    void readText(const capture::Frame& frame, const recognition::DetectorResult& boards, Percept& percept,
+                  HopTimes& times);
 
     PerceptionOptions m_options;
     std::optional<recognition::LandmarkRecogniser> m_recogniser;

@@ -40,9 +40,11 @@ Result<void> writeWhole(const fs::path& path, const char* bytes, std::size_t cou
 Result<void> prepareFolder(const fs::path& folder) {
     std::error_code failure;
     if (fs::exists(folder, failure) && !fs::is_directory(folder, failure))
-        return Error{ErrorCode::Conflict, "is a file; a new or empty folder is wanted for a recording", folder.string()};
+        return Error{ErrorCode::Conflict, "is a file; a new or empty folder is wanted for a recording",
+                     folder.string()};
     if (fs::is_directory(folder, failure) && !fs::is_empty(folder, failure) && !failure)
-        return Error{ErrorCode::Conflict, "is not empty; choose a new folder, so that no recording is overwritten",
+        return Error{ErrorCode::Conflict,
+                     "is not empty; choose a new folder, so that no recording is overwritten",
                      folder.string()};
     fs::create_directories(folder / "frames", failure);
     if (failure) return systemError(failure.value(), "cannot create the recording", folder.string());
@@ -59,14 +61,18 @@ std::string pictureName(std::uint64_t frame) {
 
 Recorder::Recorder(fs::path folder, int walk) : m_folder(std::move(folder)), m_walk(walk) {}
 
-Recorder::~Recorder() { ::close(m_walk); }
+Recorder::~Recorder() {
+    ::close(m_walk);
+}
 
 Result<std::unique_ptr<Recorder>> Recorder::create(const fs::path& folder, const RecordingHeader& header,
                                                    const building::Building& building) {
     if (auto prepared = prepareFolder(folder); !prepared) return prepared.error();
-    if (auto saved = building::saveBuilding(building, (folder / "map.gpkg").string()); !saved) return saved.error();
+    if (auto saved = building::saveBuilding(building, (folder / "map.gpkg").string()); !saved)
+        return saved.error();
     std::string text = headerJson(header).dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
-    if (auto written = writeWhole(folder / "recording.json", text.data(), text.size()); !written) return written.error();
+    if (auto written = writeWhole(folder / "recording.json", text.data(), text.size()); !written)
+        return written.error();
     fs::path path = folder / "walk.jsonl";
     int walk = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_APPEND | O_CLOEXEC, 0666);
     if (walk < 0) return systemError(errno, "cannot create", path.string());
@@ -80,7 +86,8 @@ Result<void> Recorder::giveUp(Error error) {
 
 Result<void> Recorder::writeLine(const std::string& line) {
     std::string whole = line + "\n";
-    if (auto written = writeAll(m_walk, whole.data(), whole.size(), (m_folder / "walk.jsonl").string()); !written)
+    if (auto written = writeAll(m_walk, whole.data(), whole.size(), (m_folder / "walk.jsonl").string());
+        !written)
         return giveUp(written.error());
     return {};
 }
@@ -92,7 +99,8 @@ Result<void> Recorder::writePicture(const std::string& name, const cv::Mat& imag
         if (!cv::imencode(".jpg", image, bytes, {cv::IMWRITE_JPEG_QUALITY, 90}))
             return giveUp({ErrorCode::Internal, "cannot encode the picture", path.string()});
     } catch (const cv::Exception& exception) {
-        return giveUp({ErrorCode::Internal, std::string("cannot encode the picture: ") + exception.what(), path.string()});
+        return giveUp({ErrorCode::Internal, std::string("cannot encode the picture: ") + exception.what(),
+                       path.string()});
     }
     auto written = writeWhole(path, reinterpret_cast<const char*>(bytes.data()), bytes.size());
     if (!written) {

@@ -1,7 +1,7 @@
 #pragma once
 // A recording: a folder with recording.json (what was run on what, with which options), map.gpkg (a copy),
-// walk.jsonl (percepts and commands in order, every digit kept) and frames/ (JPEG, to look at). Replay runs hops 3 to
-// 6 again from the percepts and gives the same lines byte for byte.
+// walk.jsonl (percepts and commands in order, every digit kept) and frames/ (JPEG, to look at). Replay runs
+// hops 3 to 6 again from the percepts and gives the same lines byte for byte.
 
 #include "core/base/error.h"
 #include "core/session/navigator.h"
@@ -24,26 +24,41 @@ struct RecordingHeader {
 };
 
 /// What changed the walk or was told in it from outside the chain, in the order of the frames.
-struct StartCommand { double time = 0.0; std::optional<RegionId> region; };
-struct DestinationCommand { std::optional<building::Location> destination; };
-struct VerbosityCommand { guidance::Verbosity verbosity = guidance::Verbosity::Objects; };
-struct WarningCommand { guidance::CueReason reason = guidance::CueReason::None; std::string detail; };
-struct MessageCommand { std::string text; };
-using Command = std::variant<StartCommand, DestinationCommand, VerbosityCommand, WarningCommand, MessageCommand>;
+struct StartCommand {
+    double time = 0.0;
+    std::optional<RegionId> region;
+};
+struct DestinationCommand {
+    std::optional<building::Location> destination;
+};
+struct VerbosityCommand {
+    guidance::Verbosity verbosity = guidance::Verbosity::Objects;
+};
+struct WarningCommand {
+    guidance::CueReason reason = guidance::CueReason::None;
+    std::string detail;
+};
+struct MessageCommand {
+    std::string text;
+};
+using Command =
+    std::variant<StartCommand, DestinationCommand, VerbosityCommand, WarningCommand, MessageCommand>;
 using RecordEntry = std::variant<Percept, Command>;
 
-/// Writes as the walk goes, handed to the system once a frame. After a failure (full disk) it stays quiet: failed()
-/// tells, the walk goes on, and what was written until then can be replayed.
+/// Writes as the walk goes, handed to the system once a frame. After a failure (full disk) it stays quiet:
+/// failed() tells, the walk goes on, and what was written until then can be replayed.
 class Recorder {
 public:
     /// The folder must be new or empty. The map goes into it as it stands in memory.
-    static Result<std::unique_ptr<Recorder>> create(const std::filesystem::path& folder, const RecordingHeader& header,
+    static Result<std::unique_ptr<Recorder>> create(const std::filesystem::path& folder,
+                                                    const RecordingHeader& header,
                                                     const building::Building& building);
     ~Recorder();
     Recorder(const Recorder&) = delete;
     Recorder& operator=(const Recorder&) = delete;
 
-    /// An empty image is no picture. The error comes once; after it every write answers "done" and does nothing.
+    /// An empty image is no picture. The error comes once; after it every write answers "done" and does
+    /// nothing.
     Result<void> write(const Percept& percept, const cv::Mat& image);
     Result<void> write(const Command& command);
     bool failed() const { return m_failed; }
@@ -66,8 +81,8 @@ struct Recording {
     std::vector<std::string> warnings; ///< a torn last line, a missing picture
 };
 
-/// NotFound, UnsupportedFormat (a later version), Corrupt (line number and reason). A torn last line, as a crash
-/// leaves it, is dropped with a warning.
+/// NotFound, UnsupportedFormat (a later version), Corrupt (line number and reason). A torn last line, as a
+/// crash leaves it, is dropped with a warning.
 Result<Recording> loadRecording(const std::filesystem::path& folder);
 /// The same from the two files' contents; pictures are not looked for.
 Result<Recording> parseRecording(const std::string& header, const std::string& walk);

@@ -15,11 +15,13 @@ using guidance::Verbosity;
 
 constexpr int kVersion = 1;
 constexpr std::array<std::pair<Verbosity, const char*>, 3> kVerbosities{
-    {{Verbosity::Directions, "directions"}, {Verbosity::Objects, "objects"}, {Verbosity::ObjectsAndTexts, "texts"}}};
-constexpr std::array<CueReason, 8> kReasons{CueReason::None,       CueReason::DestinationUnknown,
-                                            CueReason::DestinationUnreachable, CueReason::CameraLost,
-                                            CueReason::CameraBack, CueReason::RecordingStopped,
-                                            CueReason::PictureCovered, CueReason::FrameSkipped};
+    {{Verbosity::Directions, "directions"},
+     {Verbosity::Objects, "objects"},
+     {Verbosity::ObjectsAndTexts, "texts"}}};
+constexpr std::array<CueReason, 8> kReasons{
+    CueReason::None,           CueReason::DestinationUnknown, CueReason::DestinationUnreachable,
+    CueReason::CameraLost,     CueReason::CameraBack,         CueReason::RecordingStopped,
+    CueReason::PictureCovered, CueReason::FrameSkipped};
 
 std::string verbosityName(Verbosity verbosity) {
     for (const auto& [value, name] : kVerbosities)
@@ -105,8 +107,8 @@ void readGuidance(JsonFields fields, guidance::GuidanceOptions& options, JsonFie
 
 void readHistory(JsonFields fields, localisation::HistoryOptions& options, JsonFields& outer) {
     constexpr std::int64_t kMostItems = 1'000'000;
-    options.capacity =
-        static_cast<std::size_t>(fields.integerOr("capacity", 1, kMostItems, static_cast<std::int64_t>(options.capacity)));
+    options.capacity = static_cast<std::size_t>(
+        fields.integerOr("capacity", 1, kMostItems, static_cast<std::int64_t>(options.capacity)));
     options.duplicateOverlap = fields.numberOr("duplicate_overlap", options.duplicateOverlap);
     if (!fields.ok()) outer.complain("in \"history\": " + fields.wrong());
 }
@@ -193,8 +195,9 @@ Result<RecordingHeader> headerFromJson(const Json& json) {
     header.version = static_cast<int>(fields.integer("farol_recording", 1, std::numeric_limits<int>::max()));
     if (header.version > kVersion)
         return Error{ErrorCode::UnsupportedFormat,
-                     "was made by a later version of Farol (recording format " + std::to_string(header.version) +
-                         ", this program reads up to " + std::to_string(kVersion) + ")",
+                     "was made by a later version of Farol (recording format " +
+                         std::to_string(header.version) + ", this program reads up to " +
+                         std::to_string(kVersion) + ")",
                      ""};
     header.source = fields.textOr("source", "");
     header.map = fields.textOr("map", "");

@@ -81,7 +81,9 @@ Result<Recording> assemble(const std::string& header, const std::string& walk, c
 
 } // namespace
 
-Result<Recording> parseRecording(const std::string& header, const std::string& walk) { return assemble(header, walk, {}); }
+Result<Recording> parseRecording(const std::string& header, const std::string& walk) {
+    return assemble(header, walk, {});
+}
 
 Result<Recording> loadRecording(const fs::path& folder) {
     std::error_code failure;

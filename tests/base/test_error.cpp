@@ -1,14 +1,14 @@
 #include "core/base/error.h"
 
 #include <gtest/gtest.h>
-
 #include <memory>
 
 namespace farol {
 namespace {
 
 Result<int> half(int number) {
-    if (number % 2 != 0) return Error{ErrorCode::InvalidArgument, "is odd; give an even number", std::to_string(number)};
+    if (number % 2 != 0)
+        return Error{ErrorCode::InvalidArgument, "is odd; give an even number", std::to_string(number)};
     return number / 2;
 }
 

@@ -1,9 +1,8 @@
 #include "core/base/file.h"
 
-#include <gtest/gtest.h>
-
 #include <cerrno>
 #include <fstream>
+#include <gtest/gtest.h>
 
 namespace farol {
 namespace {
@@ -25,7 +24,8 @@ protected:
 
     std::string content() const { return readFile(m_target).value(); }
     std::size_t filesLeft() const {
-        return static_cast<std::size_t>(std::distance(fs::directory_iterator(m_folder), fs::directory_iterator{}));
+        return static_cast<std::size_t>(
+            std::distance(fs::directory_iterator(m_folder), fs::directory_iterator{}));
     }
     static Result<void> writeNew(const fs::path& path) {
         std::ofstream(path) << "new";

@@ -1,9 +1,8 @@
 #include "core/base/geometry.h"
 #include "core/base/zone.h"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
+#include <gtest/gtest.h>
 #include <limits>
 
 namespace farol {
@@ -66,7 +65,8 @@ TEST(Angles, WrapToHalfOpenTurn) {
     EXPECT_NEAR(toDegrees(wrapped(fromDegrees(-180))), 180.0, 1e-9);
     EXPECT_NEAR(toDegrees(wrapped(fromDegrees(725))), 5.0, 1e-9);
     EXPECT_TRUE(std::isnan(wrapped({std::numeric_limits<double>::quiet_NaN()}).value));
-    EXPECT_NEAR(toDegrees(directionOf({0, 3})), 90.0, 1e-9) << "north is 90 degrees counter-clockwise from east";
+    EXPECT_NEAR(toDegrees(directionOf({0, 3})), 90.0, 1e-9)
+        << "north is 90 degrees counter-clockwise from east";
 }
 
 TEST(Boxes, OverlapIsIntersectionOverUnion) {
@@ -79,7 +79,8 @@ TEST(Zones, ThirdsOfThePicture) {
     ImageSize size{640, 480};
     EXPECT_EQ(zoneName(zoneOf({10, 470}, size)), "left-down");
     EXPECT_EQ(zoneName(zoneOf({320, 240}, size)), "centre");
-    EXPECT_EQ(zoneName(zoneOf({640.0 * 2 / 3, 0}, size)), "right-up") << "a border belongs to the right and lower zone";
+    EXPECT_EQ(zoneName(zoneOf({640.0 * 2 / 3, 0}, size)), "right-up")
+        << "a border belongs to the right and lower zone";
     EXPECT_EQ(zoneName(zoneOf({-50, 900}, size)), "left-down") << "outside counts to the nearest";
 }
 

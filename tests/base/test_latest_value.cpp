@@ -1,7 +1,6 @@
 #include "core/base/latest_value.h"
 
 #include <gtest/gtest.h>
-
 #include <memory>
 #include <thread>
 #include <vector>

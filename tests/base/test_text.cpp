@@ -1,8 +1,7 @@
 #include "core/base/text.h"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
+#include <gtest/gtest.h>
 #include <string>
 #include <vector>
 
@@ -33,7 +32,8 @@ TEST(NaturalOrder, DigitsCompareByValue) {
 TEST(NaturalOrder, IsStrictEvenForEqualValues) {
     EXPECT_TRUE(naturalLess("01", "1") != naturalLess("1", "01"));
     EXPECT_FALSE(naturalLess("7.jpg", "7.jpg"));
-    EXPECT_TRUE(naturalLess("99999999999999999998", "99999999999999999999")) << "longer than any integer type";
+    EXPECT_TRUE(naturalLess("99999999999999999998", "99999999999999999999"))
+        << "longer than any integer type";
 }
 
 TEST(Numbers, ReadBackTheSameInEveryLocale) {

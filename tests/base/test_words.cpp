@@ -3,7 +3,6 @@
 #include "core/base/log.h"
 
 #include <gtest/gtest.h>
-
 #include <set>
 #include <string>
 #include <unordered_set>

@@ -4,9 +4,9 @@
 #include "core/session/json_lines.h"
 #include "core/session/navigator.h"
 
-#include <benchmark/benchmark.h>
 #include <opencv2/imgproc.hpp>
 
+#include <benchmark/benchmark.h>
 #include <string>
 
 namespace farol::bench {
@@ -19,7 +19,9 @@ using building::BuildingData;
 using building::Landmark;
 using building::Region;
 
-std::string regionName(int row, int column) { return "r" + std::to_string(row) + "-" + std::to_string(column); }
+std::string regionName(int row, int column) {
+    return "r" + std::to_string(row) + "-" + std::to_string(column);
+}
 
 void addDoor(BuildingData& data, const std::string& a, const std::string& b, Point2 from, Point2 to) {
     Access door;
@@ -51,9 +53,11 @@ std::shared_ptr<const building::Building> gridBuilding(int side) {
             landmark.position = {x + 1.0, y + 1.0};
             data.landmarks.push_back(std::move(landmark));
             if (column + 1 < side)
-                addDoor(data, region.id.value, regionName(row, column + 1), {x + kRoomM, y + 2.0}, {x + kRoomM, y + 3.0});
+                addDoor(data, region.id.value, regionName(row, column + 1), {x + kRoomM, y + 2.0},
+                        {x + kRoomM, y + 3.0});
             if (row + 1 < side)
-                addDoor(data, region.id.value, regionName(row + 1, column), {x + 2.0, y + kRoomM}, {x + 3.0, y + kRoomM});
+                addDoor(data, region.id.value, regionName(row + 1, column), {x + 2.0, y + kRoomM},
+                        {x + 3.0, y + kRoomM});
             data.regions.push_back(std::move(region));
         }
     }
@@ -98,7 +102,8 @@ BENCHMARK(planRoute)->Name("Planner/optimal")->Arg(5)->Arg(15)->Arg(30)->Unit(be
 void writeLines(benchmark::State& state) {
     session::NavigationStep step;
     step.percept = perceptAt(7);
-    for (int i = 0; i < 20; ++i) step.fix.votes.push_back({RegionId(regionName(0, i)), 1.0 / (i + 1), {{"Pobj", 3.0}}, {}});
+    for (int i = 0; i < 20; ++i)
+        step.fix.votes.push_back({RegionId(regionName(0, i)), 1.0 / (i + 1), {{"Pobj", 3.0}}, {}});
     for (auto _ : state) benchmark::DoNotOptimize(session::linesOf(step, nullptr));
 }
 BENCHMARK(writeLines)->Name("Json/lines_of_a_frame");

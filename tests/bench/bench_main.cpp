@@ -3,7 +3,6 @@
 #include "tests/bench/walk_bench.h"
 
 #include <benchmark/benchmark.h>
-
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -11,8 +10,9 @@
 namespace {
 
 int usage() {
-    std::fprintf(stderr, "usage: farol-bench --walk MAP LIBRARY FRAMES [--fps F] [--laps N]\n"
-                         "       farol-bench [options of Google Benchmark, such as --benchmark_filter=Navigator]\n");
+    std::fprintf(stderr,
+                 "usage: farol-bench --walk MAP LIBRARY FRAMES [--fps F] [--laps N]\n"
+                 "       farol-bench [options of Google Benchmark, such as --benchmark_filter=Navigator]\n");
     return 2;
 }
 
@@ -26,9 +26,12 @@ int walk(int argc, char** argv) {
         if (i + 1 >= argc) return usage();
         double value = std::atof(argv[i + 1]);
         if (!(value > 0.0 && value <= 1e6)) return usage();
-        if (std::strcmp(argv[i], "--fps") == 0) options.framesPerSecond = value;
-        else if (std::strcmp(argv[i], "--laps") == 0) options.laps = static_cast<int>(value);
-        else return usage();
+        if (std::strcmp(argv[i], "--fps") == 0)
+            options.framesPerSecond = value;
+        else if (std::strcmp(argv[i], "--laps") == 0)
+            options.laps = static_cast<int>(value);
+        else
+            return usage();
     }
     return farol::bench::benchWalk(options);
 }

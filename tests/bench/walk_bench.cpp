@@ -91,8 +91,10 @@ Result<Material> openMaterial(const WalkBenchOptions& options) {
     auto source = capture::openSource(options.frames, material.source);
     if (!source) return source.error();
     auto count = (*source)->frameCount().value_or(kWantedFrames);
-    material.laps = options.laps > 0 ? options.laps
-                                     : std::max(1, static_cast<int>(std::ceil(kWantedFrames / std::max(1.0, double(count)))));
+    material.laps =
+        options.laps > 0
+            ? options.laps
+            : std::max(1, static_cast<int>(std::ceil(kWantedFrames / std::max(1.0, double(count)))));
     return material;
 }
 
@@ -104,15 +106,16 @@ struct Hop {
 void printHops(const std::vector<Hop>& hops) {
     std::printf("| hop | median ms | 95th percentile ms | frames |\n|---|---:|---:|---:|\n");
     for (const Hop& hop : hops)
-        std::printf("| %s | %.2f | %.2f | %zu |\n", hop.name, percentile(hop.ms, 0.5), percentile(hop.ms, 0.95),
-                    hop.ms.size());
+        std::printf("| %s | %.2f | %.2f | %zu |\n", hop.name, percentile(hop.ms, 0.5),
+                    percentile(hop.ms, 0.95), hop.ms.size());
 }
 
 /// Hop after hop on one thread; nothing waits, nothing is dropped.
 int benchHops(const WalkBenchOptions& options, const Material& material) {
     std::vector<std::string> warnings;
     session::Perception perception(material.library, {}, warnings);
-    for (const std::string& warning : warnings) std::fprintf(stderr, "farol-bench: warning: %s\n", warning.c_str());
+    for (const std::string& warning : warnings)
+        std::fprintf(stderr, "farol-bench: warning: %s\n", warning.c_str());
     auto navigator = session::Navigator::create(material.building);
     if (!navigator) {
         std::fprintf(stderr, "farol-bench: %s\n", navigator.error().text().c_str());
@@ -120,9 +123,14 @@ int benchHops(const WalkBenchOptions& options, const Material& material) {
     }
     LoopedSource source(options.frames, material.source, material.laps);
     std::clock_t processorStart = std::clock();
-    std::vector<Hop> hops{{"1 read the picture", {}}, {"3 scene and sharpness", {}}, {"2 trained landmarks", {}},
-                          {"2 doors", {}}, {"2 boards, in frames that are read", {}}, {"2 text, in frames that are read", {}},
-                          {"3 to 6 history, vote, route, cues", {}}, {"2 to 6 together", {}}};
+    std::vector<Hop> hops{{"1 read the picture", {}},
+                          {"3 scene and sharpness", {}},
+                          {"2 trained landmarks", {}},
+                          {"2 doors", {}},
+                          {"2 boards, in frames that are read", {}},
+                          {"2 text, in frames that are read", {}},
+                          {"3 to 6 history, vote, route, cues", {}},
+                          {"2 to 6 together", {}}};
     for (;;) {
         auto start = std::chrono::steady_clock::now();
         auto frame = source.next();
@@ -159,12 +167,15 @@ int benchHops(const WalkBenchOptions& options, const Material& material) {
 int benchPace(const WalkBenchOptions& options, const Material& material) {
     std::vector<double> ages;
     session::SessionHandlers handlers;
-    handlers.step = [&](const session::NavigationStep&, const session::HopTimes& times) { ages.push_back(times.ageMs); };
+    handlers.step = [&](const session::NavigationStep&, const session::HopTimes& times) {
+        ages.push_back(times.ageMs);
+    };
     session::SessionOptions sessionOptions;
     sessionOptions.pace = session::Pace::RealTime;
     auto session = session::NavigationSession::create(
         material.building, material.library,
-        std::make_unique<LoopedSource>(options.frames, material.source, material.laps), sessionOptions, std::move(handlers));
+        std::make_unique<LoopedSource>(options.frames, material.source, material.laps), sessionOptions,
+        std::move(handlers));
     if (!session) {
         std::fprintf(stderr, "farol-bench: %s\n", session.error().text().c_str());
         return 1;
@@ -177,13 +188,15 @@ int benchPace(const WalkBenchOptions& options, const Material& material) {
     auto old = std::count_if(ages.begin(), ages.end(), [](double age) { return age > kTooOldMs; });
     double walked = static_cast<double>(ages.size());
     double all = walked + static_cast<double>(dropped);
-    std::printf("\nAge of a frame at the end of the chain, source at %.0f frames a second, oldest dropped:\n\n",
-                options.framesPerSecond);
+    std::printf(
+        "\nAge of a frame at the end of the chain, source at %.0f frames a second, oldest dropped:\n\n",
+        options.framesPerSecond);
     std::printf("| frames | walked | dropped | median age ms | 95th percentile ms | older than 200 ms |\n");
     std::printf("|---:|---:|---:|---:|---:|---:|\n");
     std::printf("| %.0f | %.0f | %llu (%.1f %%) | %.1f | %.1f | %lld (%.1f %%) |\n", all, walked,
-                static_cast<unsigned long long>(dropped), all > 0.0 ? 100.0 * static_cast<double>(dropped) / all : 0.0,
-                percentile(ages, 0.5), percentile(ages, 0.95), static_cast<long long>(old),
+                static_cast<unsigned long long>(dropped),
+                all > 0.0 ? 100.0 * static_cast<double>(dropped) / all : 0.0, percentile(ages, 0.5),
+                percentile(ages, 0.95), static_cast<long long>(old),
                 walked > 0.0 ? 100.0 * static_cast<double>(old) / walked : 0.0);
     return 0;
 }

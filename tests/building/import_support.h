@@ -17,14 +17,17 @@ inline SourceListing listingOf(const std::vector<std::string>& paths) {
     for (const std::string& path : paths) {
         VSIStatBufL status{};
         if (VSIStatL(path.c_str(), &status) != 0) status.st_size = 0;
-        listing.members.push_back({path.substr(path.rfind('/') + 1), path, static_cast<std::uint64_t>(status.st_size)});
+        listing.members.push_back(
+            {path.substr(path.rfind('/') + 1), path, static_cast<std::uint64_t>(status.st_size)});
     }
     listing.path = paths.front();
     listing.folder = paths.size() > 1;
     return listing;
 }
 
-inline std::string fixture(const std::string& name) { return std::string(FAROL_SOURCE_DIR) + "/tests/data/import/" + name; }
+inline std::string fixture(const std::string& name) {
+    return std::string(FAROL_SOURCE_DIR) + "/tests/data/import/" + name;
+}
 
 /// Empty when the folder is not on this machine.
 inline std::string realMap(const std::string& name) {
@@ -35,8 +38,10 @@ inline std::string realMap(const std::string& name) {
 
 class MemoryFile {
 public:
-    MemoryFile(const std::string& name, std::string bytes) : m_path("/vsimem/import_test/" + name), m_bytes(std::move(bytes)) {
-        VSIFCloseL(VSIFileFromMemBuffer(m_path.c_str(), reinterpret_cast<GByte*>(m_bytes.data()), m_bytes.size(), FALSE));
+    MemoryFile(const std::string& name, std::string bytes)
+        : m_path("/vsimem/import_test/" + name), m_bytes(std::move(bytes)) {
+        VSIFCloseL(VSIFileFromMemBuffer(m_path.c_str(), reinterpret_cast<GByte*>(m_bytes.data()),
+                                        m_bytes.size(), FALSE));
     }
     ~MemoryFile() { VSIUnlink(m_path.c_str()); }
     MemoryFile(const MemoryFile&) = delete;

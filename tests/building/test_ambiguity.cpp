@@ -2,7 +2,6 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
 #include <string>
 
 namespace {
@@ -52,13 +51,15 @@ TEST(Ambiguity, WhatLeadsThereTellsLikeRoomsApart) {
     EXPECT_THAT(findAmbiguity(Building(row("abacad"))).groups, IsEmpty());
     Ambiguity mirrored = findAmbiguity(Building(row("abba")));
     EXPECT_EQ(mirrored.confusedPairs, 2U) << "from either end the same is seen";
-    EXPECT_THAT(mirrored.groups, ElementsAre(ElementsAre(RegionId("r0"), RegionId("r3")), ElementsAre(RegionId("r1"), RegionId("r2"))));
+    EXPECT_THAT(mirrored.groups, ElementsAre(ElementsAre(RegionId("r0"), RegionId("r3")),
+                                             ElementsAre(RegionId("r1"), RegionId("r2"))));
     ASSERT_FALSE(mirrored.suggestions.empty());
     EXPECT_EQ(mirrored.suggestions[0].pairs, 2U) << "one landmark breaks the symmetry";
 }
 
 TEST(Ambiguity, FurtherBackThanFourLandmarksIsForgotten) {
-    EXPECT_THAT(findAmbiguity(Building(row("aaaaaaaab"))).groups.front(), SizeIs(5U)) << "r1 to r5: b, or the end, is too far away";
+    EXPECT_THAT(findAmbiguity(Building(row("aaaaaaaab"))).groups.front(), SizeIs(5U))
+        << "r1 to r5: b, or the end, is too far away";
 }
 
 TEST(Ambiguity, RegionsWithoutLandmarksAreListed) {

@@ -3,7 +3,6 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
 #include <stdexcept>
 
 namespace farol::test {
@@ -41,7 +40,8 @@ TEST(AsciiMap, roomsShareTheWallBetweenThem) {
 }
 
 TEST(AsciiMap, readsColumnsWindowsAndOneWayDoors) {
-    auto map = AsciiMap(2.0).floor(R"(
+    auto map = AsciiMap(2.0)
+                   .floor(R"(
         +--%--+------+
         |A  1 *  B   |
         |     < ##   |
@@ -50,7 +50,8 @@ TEST(AsciiMap, readsColumnsWindowsAndOneWayDoors) {
         +-----+--v---+
         |C           |
         +------------+
-    )").landmark('e', {Kind::Extinguisher, "", "T1", 90.0});
+    )")
+                   .landmark('e', {Kind::Extinguisher, "", "T1", 90.0});
     auto building = map.build();
     EXPECT_DOUBLE_EQ(area(building->region(RegionId("B"))->polygon), 4.0 * (7.0 * 5.0 - 1.0));
     EXPECT_EQ(building->region(RegionId("B"))->polygon.holes.size(), 1U);

@@ -111,7 +111,8 @@ TEST(Building, spokenNameIsNeverEmpty) {
 }
 
 TEST(Building, kindNamesReadBack) {
-    for (const char* name : {"room", "corridor", "hall", "stairwell", "elevator", "toilet", "outside", "other"})
+    for (const char* name :
+         {"room", "corridor", "hall", "stairwell", "elevator", "toilet", "outside", "other"})
         EXPECT_EQ(regionKindName(*regionKindFromName(name)), name);
     for (const char* name : {"door", "opening", "stairs", "elevator", "escalator", "ramp", "window", "other"})
         EXPECT_EQ(accessKindName(*accessKindFromName(name)), name);

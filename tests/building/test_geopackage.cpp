@@ -4,12 +4,7 @@
 #include "tests/support/ascii_map.h"
 
 #include <gdal_priv.h>
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <ogrsf_frmts.h>
-
-#include <sys/resource.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <csignal>
@@ -17,10 +12,14 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
 #include <iterator>
 #include <limits>
 #include <set>
+#include <sys/resource.h>
 #include <tuple>
+#include <unistd.h>
 
 namespace farol::building {
 namespace {
@@ -34,7 +33,8 @@ class GeoPackage : public testing::Test {
 protected:
     void SetUp() override {
         std::string name = testing::UnitTest::GetInstance()->current_test_info()->name();
-        m_folder = fs::temp_directory_path() / ("farol-geopackage-" + name + "-" + std::to_string(::getpid()));
+        m_folder =
+            fs::temp_directory_path() / ("farol-geopackage-" + name + "-" + std::to_string(::getpid()));
         fs::create_directories(m_folder);
         m_path = (m_folder / "map.gpkg").string();
     }
@@ -45,7 +45,8 @@ protected:
         auto dataset = openVector(m_path, OpenMode::Update);
         ASSERT_TRUE(dataset.ok()) << dataset.error().text();
         GdalMessages messages;
-        for (const std::string& statement : statements) (*dataset)->ExecuteSQL(statement.c_str(), nullptr, nullptr);
+        for (const std::string& statement : statements)
+            (*dataset)->ExecuteSQL(statement.c_str(), nullptr, nullptr);
         EXPECT_EQ(messages.text(), "");
         EXPECT_TRUE(closeVector(std::move(*dataset), m_path).ok());
     }
@@ -75,7 +76,8 @@ protected:
     }
     std::vector<std::string> filesBeside() {
         std::vector<std::string> names;
-        for (const auto& entry : fs::directory_iterator(m_folder)) names.push_back(entry.path().filename().string());
+        for (const auto& entry : fs::directory_iterator(m_folder))
+            names.push_back(entry.path().filename().string());
         return names;
     }
 
@@ -141,20 +143,20 @@ void expectSame(const BuildingData& a, const BuildingData& b) {
     for (std::size_t i = 0; i < a.accesses.size(); ++i) {
         const Access& x = a.accesses[i];
         const Access& y = b.accesses[i];
-        EXPECT_EQ(std::tie(x.id, x.kind, x.kindText, x.level, x.regionA, x.regionB, x.shaft, x.oneWay, x.doorType,
-                           x.automatic, x.widthM, x.steps, x.closed, x.line, x.extra),
-                  std::tie(y.id, y.kind, y.kindText, y.level, y.regionA, y.regionB, y.shaft, y.oneWay, y.doorType,
-                           y.automatic, y.widthM, y.steps, y.closed, y.line, y.extra))
+        EXPECT_EQ(std::tie(x.id, x.kind, x.kindText, x.level, x.regionA, x.regionB, x.shaft, x.oneWay,
+                           x.doorType, x.automatic, x.widthM, x.steps, x.closed, x.line, x.extra),
+                  std::tie(y.id, y.kind, y.kindText, y.level, y.regionA, y.regionB, y.shaft, y.oneWay,
+                           y.doorType, y.automatic, y.widthM, y.steps, y.closed, y.line, y.extra))
             << x.id.value;
     }
     ASSERT_EQ(a.landmarks.size(), b.landmarks.size());
     for (std::size_t i = 0; i < a.landmarks.size(); ++i) {
         const Landmark& x = a.landmarks[i];
         const Landmark& y = b.landmarks[i];
-        EXPECT_EQ(std::tie(x.id, x.kind, x.kindText, x.templateId, x.text, x.region, x.level, x.heightM, x.widthM,
-                           x.tallM, x.position, x.extra),
-                  std::tie(y.id, y.kind, y.kindText, y.templateId, y.text, y.region, y.level, y.heightM, y.widthM,
-                           y.tallM, y.position, y.extra))
+        EXPECT_EQ(std::tie(x.id, x.kind, x.kindText, x.templateId, x.text, x.region, x.level, x.heightM,
+                           x.widthM, x.tallM, x.position, x.extra),
+                  std::tie(y.id, y.kind, y.kindText, y.templateId, y.text, y.region, y.level, y.heightM,
+                           y.widthM, y.tallM, y.position, y.extra))
             << x.id.value;
         ASSERT_EQ(x.heading.has_value(), y.heading.has_value());
         EXPECT_NEAR(x.heading.value_or(Radians{}).value, y.heading.value_or(Radians{}).value, 1e-12);
@@ -194,7 +196,8 @@ TEST_F(GeoPackage, keepsTheCoordinateSystem) {
 TEST_F(GeoPackage, keepsUnknownLayersAndFields) {
     ASSERT_TRUE(saveBuilding(Building(sample()), m_path).ok());
     sql({"CREATE TABLE notes (fid INTEGER PRIMARY KEY, words TEXT)", "INSERT INTO notes VALUES (7, 'olá')",
-         "INSERT INTO gpkg_contents (table_name, data_type, identifier) VALUES ('notes', 'attributes', 'notes')",
+         "INSERT INTO gpkg_contents (table_name, data_type, identifier) VALUES ('notes', 'attributes', "
+         "'notes')",
          "ALTER TABLE regions ADD COLUMN photo BLOB", "ALTER TABLE regions ADD COLUMN cleaned DATE",
          "UPDATE regions SET photo = x'00ff10', cleaned = '2026-05-04' WHERE region_id = 'B'",
          "UPDATE regions SET fid = fid + 100"});
@@ -298,13 +301,17 @@ TEST_F(GeoPackage, namesTheFeatureThatIsWrong) {
         std::string expected;
     };
     for (const Case& each : std::vector<Case>{
-             {{"UPDATE regions SET region_id = 'A' WHERE region_id = 'B'"}, "layer regions, feature A: two features"},
-             {{"UPDATE accesses SET access_id = NULL WHERE access_id = 'A-B'"}, "layer accesses, feature number 1"},
+             {{"UPDATE regions SET region_id = 'A' WHERE region_id = 'B'"},
+              "layer regions, feature A: two features"},
+             {{"UPDATE accesses SET access_id = NULL WHERE access_id = 'A-B'"},
+              "layer accesses, feature number 1"},
              {{"UPDATE landmarks SET landmark_id = ''"}, "has no landmark_id"},
-             {{"ALTER TABLE regions RENAME COLUMN region_id TO code"}, "layer regions: the field region_id is missing"},
+             {{"ALTER TABLE regions RENAME COLUMN region_id TO code"},
+              "layer regions: the field region_id is missing"},
              {{"UPDATE regions SET level = NULL WHERE region_id = 'A'"}, "feature A: has no level"},
              {{"UPDATE regions SET level = 1e300 WHERE region_id = 'A'"}, "no floor"},
-             {{"UPDATE accesses SET steps = 2000000 WHERE access_id = 'S-T'"}, "feature S-T: steps is no whole number"},
+             {{"UPDATE accesses SET steps = 2000000 WHERE access_id = 'S-T'"},
+              "feature S-T: steps is no whole number"},
              {{"UPDATE accesses SET oneway = 'up' WHERE access_id = 'A-B'"}, "oneway is \"up\""},
              {{"INSERT INTO levels (level) VALUES (0)"}, "feature 0: this level is listed twice"},
              {{"UPDATE regions SET geom = NULL WHERE region_id = 'B'"}, "feature B: has no geometry"},
@@ -337,7 +344,8 @@ TEST_F(GeoPackage, refusesGeometriesThatAreNone) {
         edit("regions", [&](OGRFeature& feature) {
             if (std::string(feature.GetFieldAsString("region_id")) != "A") return;
             OGRGeometry* geometry = nullptr;
-            ASSERT_EQ(OGRGeometryFactory::createFromWkt(each.wkt.c_str(), nullptr, &geometry), OGRERR_NONE) << each.wkt;
+            ASSERT_EQ(OGRGeometryFactory::createFromWkt(each.wkt.c_str(), nullptr, &geometry), OGRERR_NONE)
+                << each.wkt;
             feature.SetGeometryDirectly(geometry);
         });
         Error error = loadError();
@@ -356,7 +364,8 @@ TEST_F(GeoPackage, refusesCoordinatesThatAreNoNumbers) {
         });
         Error error = loadError();
         EXPECT_EQ(error.code, ErrorCode::Corrupt);
-        EXPECT_THAT(error.text(), HasSubstr("layer accesses, feature A-B: has a coordinate that is no number"));
+        EXPECT_THAT(error.text(),
+                    HasSubstr("layer accesses, feature A-B: has a coordinate that is no number"));
     }
 }
 
@@ -405,9 +414,11 @@ TEST_F(GeoPackage, derivesTheRegionsOfAnAccess) {
     ASSERT_TRUE(saveBuilding(Building(data), m_path).ok());
     auto loaded = loadBuilding(m_path);
     ASSERT_TRUE(loaded.ok());
-    EXPECT_EQ(describe(*loaded->building).accessesJoined, 3U) << "all but the stairs, whose other level is not told";
+    EXPECT_EQ(describe(*loaded->building).accessesJoined, 3U)
+        << "all but the stairs, whose other level is not told";
     const Access* door = loaded->building->access(AccessId("A-B"));
-    EXPECT_EQ(std::set<RegionId>({door->regionA, door->regionB}), std::set<RegionId>({RegionId("A"), RegionId("B")}));
+    EXPECT_EQ(std::set<RegionId>({door->regionA, door->regionB}),
+              std::set<RegionId>({RegionId("A"), RegionId("B")}));
     EXPECT_EQ(loaded->building->access(AccessId("A-B2"))->regionB, RegionId("B"));
 }
 

@@ -1,10 +1,9 @@
 #include "core/building/import/importer.h"
 #include "tests/building/import_support.h"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <fstream>
+#include <gtest/gtest.h>
 #include <set>
 #include <sstream>
 
@@ -62,7 +61,8 @@ TEST(ImportIndoorGml, ADoorCellBecomesTheDoorBetweenItsTwoRooms) {
     const Access* door = accessOf(map, "D1");
     ASSERT_NE(door, nullptr);
     EXPECT_EQ(door->kind, AccessKind::Door);
-    EXPECT_EQ(std::set<std::string>({door->regionA.value, door->regionB.value}), (std::set<std::string>{"C1", "C2"}));
+    EXPECT_EQ(std::set<std::string>({door->regionA.value, door->regionB.value}),
+              (std::set<std::string>{"C1", "C2"}));
     EXPECT_NEAR(door->midpoint().x, 6.1, 0.01);
     EXPECT_EQ(accessOf(map, "T1"), nullptr);
 }
@@ -94,13 +94,15 @@ TEST(ImportIndoorGml, LevelsComeFromHeightsWhereAskedOrWhereNothingElseTells) {
 }
 
 TEST(ImportIndoorGml, CaseOfElementsDoesNotMatter) {
-    std::string text = replaced(replaced(houseText(), "Geometry3D", "geometry3d"), "core:State ", "core:STATE ");
+    std::string text =
+        replaced(replaced(houseText(), "Geometry3D", "geometry3d"), "core:State ", "core:STATE ");
     text = replaced(text, "core:State>", "core:STATE>");
     EXPECT_EQ(mapOf(text).data.accesses.size(), 5U);
 }
 
 TEST(ImportIndoorGml, GeographicCoordinatesMayHaveLatitudeFirst) {
-    std::string named = replaced(houseText(), "<gml:Solid>", "<gml:Solid srsName=\"urn:ogc:def:crs:EPSG::4326\">");
+    std::string named =
+        replaced(houseText(), "<gml:Solid>", "<gml:Solid srsName=\"urn:ogc:def:crs:EPSG::4326\">");
     RawMap map = mapOf(named);
     EXPECT_EQ(map.coordinates, RawCoordinates::Geographic);
     EXPECT_NEAR(boundingBox(regionOf(map, "C2")->polygon.outer)->high.y, 12.0, 1e-9);
@@ -115,9 +117,9 @@ TEST(ImportIndoorGml, RefusesWhatIsNoMap) {
     std::string declared = house;
     declared.insert(declared.find("<core:IndoorFeatures"), bomb);
     auto importer = makeIndoorGmlImporter();
-    for (const std::string& text : {std::string(), std::string("<x/>"), house.substr(0, house.size() / 2), declared, deep,
-                                    std::string(1000, '\0'), replaced(house, "pos", "pox"),
-                                    std::string("<IndoorFeatures/>")}) {
+    for (const std::string& text :
+         {std::string(), std::string("<x/>"), house.substr(0, house.size() / 2), declared, deep,
+          std::string(1000, '\0'), replaced(house, "pos", "pox"), std::string("<IndoorFeatures/>")}) {
         auto map = readBytes(*importer, "broken.gml", text);
         ASSERT_FALSE(map.ok()) << text.substr(0, 80);
         EXPECT_FALSE(map.error().message.empty());
@@ -133,7 +135,9 @@ TEST(ImportIndoorGml, ACellWithoutNumbersIsLeftOutAndTold) {
 }
 
 TEST(ImportIndoorGml, ReferencesInACircleDoNotHang) {
-    std::string ring = replaced(houseText(), "<gml:Shell>", "<gml:Shell gml:id=\"sh\"><gml:surfaceMember xlink:href=\"#sh\"/><gml:surfaceMember xlink:href=\"#house\"/>");
+    std::string ring = replaced(houseText(), "<gml:Shell>",
+                                "<gml:Shell gml:id=\"sh\"><gml:surfaceMember "
+                                "xlink:href=\"#sh\"/><gml:surfaceMember xlink:href=\"#house\"/>");
     EXPECT_FALSE(mapOf(ring).data.regions.empty());
 }
 

@@ -1,10 +1,9 @@
 #include "core/building/import/importer.h"
 #include "tests/support/temporary_folder.h"
 
+#include <cstdint>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
-#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -31,14 +30,15 @@ std::string zipOf(const std::vector<Entry>& entries) {
     std::string body, directory;
     for (const Entry& entry : entries) {
         std::uint64_t size = entry.claimedSize != 0 ? entry.claimedSize : entry.bytes.size();
-        std::string common = little(20, 2) + little(entry.encrypted ? 1 : 0, 2) + little(0, 2) + little(0, 4) + little(0, 4) +
-                             little(entry.bytes.size(), 4) + little(size, 4) + little(entry.name.size(), 2) + little(0, 2);
-        directory += "PK\x01\x02" + little(20, 2) + common + little(0, 2) + little(0, 2) + little(0, 2) + little(0, 4) +
-                     little(body.size(), 4) + entry.name;
+        std::string common = little(20, 2) + little(entry.encrypted ? 1 : 0, 2) + little(0, 2) +
+                             little(0, 4) + little(0, 4) + little(entry.bytes.size(), 4) + little(size, 4) +
+                             little(entry.name.size(), 2) + little(0, 2);
+        directory += "PK\x01\x02" + little(20, 2) + common + little(0, 2) + little(0, 2) + little(0, 2) +
+                     little(0, 4) + little(body.size(), 4) + entry.name;
         body += "PK\x03\x04" + common + entry.name + entry.bytes;
     }
-    return body + directory + "PK\x05\x06" + little(0, 4) + little(entries.size(), 2) + little(entries.size(), 2) +
-           little(directory.size(), 4) + little(body.size(), 4) + little(0, 2);
+    return body + directory + "PK\x05\x06" + little(0, 4) + little(entries.size(), 2) +
+           little(entries.size(), 2) + little(directory.size(), 4) + little(body.size(), 4) + little(0, 2);
 }
 
 std::string messageFor(const std::vector<Entry>& entries) {
@@ -115,7 +115,8 @@ TEST(ImportListing, WhatIsNotThereOrNoMapIsSaid) {
 }
 
 TEST(ImportListing, FormatNamesReadBack) {
-    for (const char* name : {"shapefile", "geopackage", "geojson", "imdf", "osm", "indoorgml", "hulop", "wrld"}) {
+    for (const char* name :
+         {"shapefile", "geopackage", "geojson", "imdf", "osm", "indoorgml", "hulop", "wrld"}) {
         auto format = mapFormatFromName(name);
         ASSERT_TRUE(format.has_value()) << name;
         EXPECT_EQ(mapFormatName(*format), name);

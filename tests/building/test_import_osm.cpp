@@ -1,9 +1,8 @@
 #include "core/building/import/importer.h"
 #include "tests/building/import_support.h"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
+#include <gtest/gtest.h>
 #include <set>
 
 namespace {
@@ -73,7 +72,8 @@ TEST(ImportOsm, DoorsJoinTheTwoOutlinesTheyStandOn) {
 
 TEST(ImportOsm, EmergencyExitsAreNoWay) {
     RawMap map = house();
-    auto closed = std::count_if(map.data.accesses.begin(), map.data.accesses.end(), [](const Access& a) { return a.closed; });
+    auto closed = std::count_if(map.data.accesses.begin(), map.data.accesses.end(),
+                                [](const Access& a) { return a.closed; });
     EXPECT_EQ(closed, 1);
 }
 
@@ -172,7 +172,8 @@ std::string collection(const std::string& features) {
     return R"({"type":"FeatureCollection","features":[)" + features + "]}";
 }
 
-std::string room(const std::string& level, const std::string& ring = "[[7,50],[7.001,50],[7.001,50.001],[7,50]]") {
+std::string room(const std::string& level,
+                 const std::string& ring = "[[7,50],[7.001,50],[7.001,50.001],[7,50]]") {
     return R"({"type":"Feature","properties":{"@id":"way/1","indoor":"room","level":")" + level +
            R"("},"geometry":{"type":"Polygon","coordinates":[)" + ring + "]}}";
 }
@@ -197,7 +198,8 @@ TEST(ImportOsm, UnreadableLevelsAreTold) {
 }
 
 TEST(ImportOsm, AGeometryWithoutATypeIsLeftOutAndTold) {
-    std::string untyped = R"({"type":"Feature","properties":{"@id":"way/9","indoor":"room"},"geometry":{"coordinates":[]}})";
+    std::string untyped =
+        R"({"type":"Feature","properties":{"@id":"way/9","indoor":"room"},"geometry":{"coordinates":[]}})";
     auto map = readBytes(*makeOsmImporter(), "map.geojson", collection(room("0") + "," + untyped));
     ASSERT_TRUE(map.ok());
     ASSERT_NE(findingOf(*map, "source-geometry"), nullptr);
@@ -213,9 +215,11 @@ TEST(ImportOsm, RefusesWhatIsNoMap) {
         rooms += "," + next.replace(next.find("way/1"), 5, "way/" + std::to_string(i));
     }
     for (const std::string& bytes :
-         {std::string(), std::string("<osm version=\"0.6\"><node id="), std::string("{"), deep, "{\"features\":" + deep,
-          collection(""), collection("1,null,[]"), collection(room("0", "[[7,50]]")), collection(room("0", "[[1e999,50],[7,50],[8,50]]")),
-          collection(room("0", "[[700,50],[7,50],[8,50],[700,50]]")), std::string(5000, '\0'), collection(rooms)}) {
+         {std::string(), std::string("<osm version=\"0.6\"><node id="), std::string("{"), deep,
+          "{\"features\":" + deep, collection(""), collection("1,null,[]"), collection(room("0", "[[7,50]]")),
+          collection(room("0", "[[1e999,50],[7,50],[8,50]]")),
+          collection(room("0", "[[700,50],[7,50],[8,50],[700,50]]")), std::string(5000, '\0'),
+          collection(rooms)}) {
         auto map = readBytes(*importer, "broken.osm", bytes);
         EXPECT_FALSE(map.ok()) << bytes.substr(0, 60);
     }
@@ -225,8 +229,11 @@ TEST(ImportOsm, RefusesWaysThatCrossEverything) {
     std::string features;
     for (int i = 0; i < 3000; ++i) {
         std::string id = std::to_string(i);
-        std::string one = room("0"), way = R"({"type":"Feature","properties":{"@id":"way/w)" + id +
-            R"(","highway":"corridor","level":"0"},"geometry":{"type":"LineString","coordinates":[[7,50.0001],[7.001,50.0002]]}})";
+        std::string
+            one = room("0"),
+            way =
+                R"({"type":"Feature","properties":{"@id":"way/w)" + id +
+                R"(","highway":"corridor","level":"0"},"geometry":{"type":"LineString","coordinates":[[7,50.0001],[7.001,50.0002]]}})";
         features += (i == 0 ? "" : ",") + one.replace(one.find("way/1"), 5, "way/" + id) + "," + way;
     }
     EXPECT_FALSE(readBytes(*makeOsmImporter(), "map.geojson", collection(features)).ok());
@@ -239,7 +246,8 @@ TEST(ImportOsm, RefusesABillionLaughs) {
         for (int i = 0; i < 10; ++i) bomb += std::string("&") + static_cast<char>(c - 1) + ";";
         bomb += "\">";
     }
-    bomb += "]><osm version=\"0.6\"><node id=\"1\" lat=\"1\" lon=\"1\"><tag k=\"name\" v=\"&j;\"/></node></osm>";
+    bomb +=
+        "]><osm version=\"0.6\"><node id=\"1\" lat=\"1\" lon=\"1\"><tag k=\"name\" v=\"&j;\"/></node></osm>";
     EXPECT_FALSE(readBytes(*makeOsmImporter(), "bomb.osm", bomb).ok());
 }
 
@@ -259,7 +267,8 @@ TEST_P(RealOsm, BerlinMainStation) {
     for (const Region& region : map->data.regions) {
         levels.insert(region.level);
         auto indoor = region.extra.find("indoor");
-        if (indoor != region.extra.end() && indoor->second == AttributeValue("room")) rooms.insert(source(region.id.value));
+        if (indoor != region.extra.end() && indoor->second == AttributeValue("room"))
+            rooms.insert(source(region.id.value));
     }
     for (const Access& access : map->data.accesses) {
         if (access.kind == AccessKind::Stairs) flights.insert(source(access.id.value));
@@ -268,7 +277,8 @@ TEST_P(RealOsm, BerlinMainStation) {
     for (const auto& link : map->verticalLinks)
         if (link.kind == AccessKind::Elevator) shafts.insert(link.shaft.value);
     std::size_t joined = 0;
-    for (const Access& access : map->data.accesses) joined += !access.regionA.empty() && !access.regionB.empty() ? 1U : 0U;
+    for (const Access& access : map->data.accesses)
+        joined += !access.regionA.empty() && !access.regionB.empty() ? 1U : 0U;
     RecordProperty("regions", static_cast<int>(map->data.regions.size()));
     RecordProperty("accesses", static_cast<int>(map->data.accesses.size()));
     RecordProperty("joined", static_cast<int>(joined));

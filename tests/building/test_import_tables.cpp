@@ -5,7 +5,6 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
 #include <string>
 #include <utility>
 #include <vector>
@@ -38,28 +37,34 @@ std::string collection(const std::string& features) {
 std::string square(double x, const std::string& properties, double size = 0.0001) {
     auto corner = [](double a, double b) { return "[" + std::to_string(a) + "," + std::to_string(b) + "]"; };
     std::string first = corner(x, 37.0);
-    return R"({"type":"Feature","properties":{)" + properties + R"(},"geometry":{"type":"Polygon","coordinates":[[)" + first + "," +
-           corner(x + size, 37.0) + "," + corner(x + size, 37.0001) + "," + corner(x, 37.0001) + "," + first + "]]}}";
+    return R"({"type":"Feature","properties":{)" + properties +
+           R"(},"geometry":{"type":"Polygon","coordinates":[[)" + first + "," + corner(x + size, 37.0) + "," +
+           corner(x + size, 37.0001) + "," + corner(x, 37.0001) + "," + first + "]]}}";
 }
 
 std::string line(double x, double from, double to, const std::string& properties) {
-    return R"({"type":"Feature","properties":{)" + properties + R"(},"geometry":{"type":"LineString","coordinates":[[)" +
-           std::to_string(x) + "," + std::to_string(from) + "],[" + std::to_string(x) + "," + std::to_string(to) + "]]}}";
+    return R"({"type":"Feature","properties":{)" + properties +
+           R"(},"geometry":{"type":"LineString","coordinates":[[)" + std::to_string(x) + "," +
+           std::to_string(from) + "],[" + std::to_string(x) + "," + std::to_string(to) + "]]}}";
 }
 
 std::string point(double x, double y, const std::string& properties) {
-    return R"({"type":"Feature","properties":{)" + properties + R"(},"geometry":{"type":"Point","coordinates":[)" + std::to_string(x) +
-           "," + std::to_string(y) + "]}}";
+    return R"({"type":"Feature","properties":{)" + properties +
+           R"(},"geometry":{"type":"Point","coordinates":[)" + std::to_string(x) + "," + std::to_string(y) +
+           "]}}";
 }
 
-Result<ImportedBuilding> floorsOfThePaper(const test::TemporaryFolder& folder, const ImportOptions& options = {}) {
-    folder.write("MapA.geojson", collection(square(-8.0, R"("EspacoID":"1","Nome":"Secretaria","Tipo":"sala")") + "," +
-                                            square(-7.9999, R"("EspacoID":"2","Nome":"","Tipo":"corredor")") + "," +
-                                            line(-7.9999, 37.00002, 37.00003, R"("Tipo":"porta")") + "," +
-                                            line(-7.9999, 37.00006, 37.00007, R"("Tipo":"janela")") + "," +
-                                            line(-7.9998, 37.0, 37.0001, R"("Tipo":"parede")") + "," +
-                                            point(-7.99985, 37.00005, R"("EspacoID":"2","Tipo":"extintor")")));
-    folder.write("MapB.geojson", collection(square(-8.0, R"("EspacoID":"1","Nome":"Sala 2.1","Tipo":"sala")")));
+Result<ImportedBuilding> floorsOfThePaper(const test::TemporaryFolder& folder,
+                                          const ImportOptions& options = {}) {
+    folder.write("MapA.geojson",
+                 collection(square(-8.0, R"("EspacoID":"1","Nome":"Secretaria","Tipo":"sala")") + "," +
+                            square(-7.9999, R"("EspacoID":"2","Nome":"","Tipo":"corredor")") + "," +
+                            line(-7.9999, 37.00002, 37.00003, R"("Tipo":"porta")") + "," +
+                            line(-7.9999, 37.00006, 37.00007, R"("Tipo":"janela")") + "," +
+                            line(-7.9998, 37.0, 37.0001, R"("Tipo":"parede")") + "," +
+                            point(-7.99985, 37.00005, R"("EspacoID":"2","Tipo":"extintor")")));
+    folder.write("MapB.geojson",
+                 collection(square(-8.0, R"("EspacoID":"1","Nome":"Sala 2.1","Tipo":"sala")")));
     return importBuilding(folder.string(), options);
 }
 
@@ -83,13 +88,15 @@ TEST(ImportTables, FloorsAsInThePaper) {
     EXPECT_EQ(building.landmarks()[0].kind, Kind::Extinguisher);
     EXPECT_EQ(building.landmarks()[0].region, RegionId("2")) << "by EspacoID";
     EXPECT_THAT(building.data().walls, SizeIs(1));
-    EXPECT_EQ(std::get<std::string>(building.region(RegionId("2"))->extra.at("Tipo")), "corredor") << "nothing is lost";
+    EXPECT_EQ(std::get<std::string>(building.region(RegionId("2"))->extra.at("Tipo")), "corredor")
+        << "nothing is lost";
 }
 
 TEST(ImportTables, AProfileNamesOtherColumns) {
     test::TemporaryFolder folder, profile;
-    folder.write("plan.geojson", collection(square(-8.0, R"("NR":"17","BEZ":"Labor","ART":"X1","COTA":"CAVE")") + "," +
-                                            square(-7.9999, R"("NR":"18","BEZ":"Gang","ART":"X2","COTA":"CAVE")")));
+    folder.write("plan.geojson",
+                 collection(square(-8.0, R"("NR":"17","BEZ":"Labor","ART":"X1","COTA":"CAVE")") + "," +
+                            square(-7.9999, R"("NR":"18","BEZ":"Gang","ART":"X2","COTA":"CAVE")")));
     profile.write("p.json", R"({"columns":{"id":["NR"],"name":["BEZ"],"kind":["ART"],"level":["COTA"]},
                                 "codes":{"X1":"room","X2":"corridor"},"levels":{"CAVE":-1}})");
     ImportOptions options;
@@ -117,7 +124,8 @@ TEST(ImportTables, DamagedFilesAreErrorsAndNeverHalves) {
         ASSERT_FALSE(imported.ok()) << "cut at " << size;
         EXPECT_FALSE(imported.error().message.empty());
     }
-    for (const char* bad : {"", "\xff\xfe", "{}", R"({"type":"FeatureCollection","features":[]})", R"({"type":"Feature"})"}) {
+    for (const char* bad :
+         {"", "\xff\xfe", "{}", R"({"type":"FeatureCollection","features":[]})", R"({"type":"Feature"})"}) {
         folder.write("MapA.geojson", bad);
         EXPECT_FALSE(importBuilding((folder / "MapA.geojson").string()).ok()) << bad;
     }
@@ -144,16 +152,22 @@ TEST(ImportTables, AnImportSurvivesTheBuildingFile) {
 TEST(ImportTables, EdgeCasesOfShapefiles) {
     std::string root = realMap("shp_edge_cases_synthetic");
     if (root.empty()) GTEST_SKIP() << "FAROL_DATA has no folder maps/shp_edge_cases_synthetic";
-    for (const auto& [name, rule] : std::vector<std::pair<std::string, std::string>>{
-             {"duplicate_geometry", "region-duplicate"}, {"flipped_coordinates", "axes-flipped"}, {"invalid_geometry", "region-polygon-valid"},
-             {"multipolygon_units", "region-split"}, {"no_prj_file", "crs-missing"}, {"overlapping_units", "region-overlap"},
-             {"sliver_polygons", "region-sliver"}}) {
+    for (const auto& [name, rule] :
+         std::vector<std::pair<std::string, std::string>>{{"duplicate_geometry", "region-duplicate"},
+                                                          {"flipped_coordinates", "axes-flipped"},
+                                                          {"invalid_geometry", "region-polygon-valid"},
+                                                          {"multipolygon_units", "region-split"},
+                                                          {"no_prj_file", "crs-missing"},
+                                                          {"overlapping_units", "region-overlap"},
+                                                          {"sliver_polygons", "region-sliver"}}) {
         auto imported = importBuilding(root + "/edge_cases/" + name + ".shp");
         ASSERT_TRUE(imported.ok()) << name << ": " << imported.error().text();
         EXPECT_NE(findingOf(*imported, rule), nullptr) << name;
     }
-    for (const auto& [name, rule] : std::vector<std::pair<std::string, std::string>>{
-             {"detached_opening", "access-joins-two-regions"}, {"empty_file", "layer-empty"}, {"mixed_geometry", "layer-role"}}) {
+    for (const auto& [name, rule] :
+         std::vector<std::pair<std::string, std::string>>{{"detached_opening", "access-joins-two-regions"},
+                                                          {"empty_file", "layer-empty"},
+                                                          {"mixed_geometry", "layer-role"}}) {
         auto imported = importBuilding(root + "/edge_cases/" + name + ".shp");
         ASSERT_FALSE(imported.ok()) << name;
         EXPECT_THAT(imported.error().text(), HasSubstr(rule));
@@ -167,17 +181,22 @@ TEST(ImportTables, EdgeCasesOfShapefiles) {
 
 TEST(ImportImdf, LabelsDoorsAndWalls) {
     test::TemporaryFolder folder;
-    std::string door = R"({"type":"Feature","id":"d","feature_type":"opening","properties":{"category":"pedestrian","level_id":"l",)"
-                       R"("door":{"type":"sliding","automatic":true}},"geometry":{"type":"LineString","coordinates":)"
-                       R"([[-7.9999,37.00002],[-7.9999,37.00003]]}})";
+    std::string door =
+        R"({"type":"Feature","id":"d","feature_type":"opening","properties":{"category":"pedestrian","level_id":"l",)"
+        R"("door":{"type":"sliding","automatic":true}},"geometry":{"type":"LineString","coordinates":)"
+        R"([[-7.9999,37.00002],[-7.9999,37.00003]]}})";
     auto unit = [](const char* id, double x, const char* category, const char* name) {
-        std::string text = square(x, std::string(R"("level_id":"l","category":")") + category + R"(","name":)" + name);
+        std::string text =
+            square(x, std::string(R"("level_id":"l","category":")") + category + R"(","name":)" + name);
         return R"({"id":")" + std::string(id) + R"(","feature_type":"unit",)" + text.substr(1);
     };
-    folder.write("level.geojson", collection(R"({"type":"Feature","id":"l","feature_type":"level","geometry":null,"properties":)"
-                                             R"({"ordinal":2,"name":{"en":"Second"},"short_name":{"en":"2"}}})"));
-    folder.write("unit.geojson", collection(unit("a", -8.0, "office", R"({"en":"Office","pt":"Gabinete"})") + "," +
-                                            unit("b", -7.9999, "walkway", "null") + "," + unit("c", -7.9998, "column", "null") + "," +
+    folder.write(
+        "level.geojson",
+        collection(R"({"type":"Feature","id":"l","feature_type":"level","geometry":null,"properties":)"
+                   R"({"ordinal":2,"name":{"en":"Second"},"short_name":{"en":"2"}}})"));
+    folder.write("unit.geojson", collection(unit("a", -8.0, "office", R"({"en":"Office","pt":"Gabinete"})") +
+                                            "," + unit("b", -7.9999, "walkway", "null") + "," +
+                                            unit("c", -7.9998, "column", "null") + "," +
                                             unit("e", -7.9997, "nonpublic", "null")));
     folder.write("opening.geojson", collection(door));
     ImportOptions options;
@@ -210,10 +229,12 @@ TEST(ImportImdf, Addenbrookes) {
     for (const Finding& finding : imported->findings)
         if (finding.rule == "access-touches-two-regions") odd += finding.ids.size();
     EXPECT_EQ(odd, 19U) << "openings not on two units";
-    EXPECT_EQ(countOf(*imported, "access-joins-two-regions"), 17U) << "two of the 19 touch three or four units and are joined";
+    EXPECT_EQ(countOf(*imported, "access-joins-two-regions"), 17U)
+        << "two of the 19 touch three or four units and are joined";
     const Finding* without = findingOf(*imported, "region-has-access");
     ASSERT_NE(without, nullptr);
-    EXPECT_THAT(without->ids, SizeIs(15)) << "the 14 without a door, and one that a joined door touches with its end only";
+    EXPECT_THAT(without->ids, SizeIs(15))
+        << "the 14 without a door, and one that a joined door touches with its end only";
     auto several = importBuilding(root);
     ASSERT_FALSE(several.ok());
     EXPECT_THAT(several.error().text(), HasSubstr("name the folder of one"));

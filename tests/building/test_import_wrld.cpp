@@ -1,10 +1,9 @@
 #include "core/building/import/importer.h"
 #include "tests/building/import_support.h"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <fstream>
+#include <gtest/gtest.h>
 #include <map>
 #include <set>
 #include <sstream>
@@ -16,7 +15,8 @@ using namespace farol::building;
 using namespace farol::building::testing;
 
 SourceListing houseListing() {
-    return listingOf({fixture("wrld_house/ground.geojson"), fixture("wrld_house/low.geojson"), fixture("wrld_house/main.json")});
+    return listingOf({fixture("wrld_house/ground.geojson"), fixture("wrld_house/low.geojson"),
+                      fixture("wrld_house/main.json")});
 }
 
 RawMap house() {
@@ -28,7 +28,8 @@ RawMap house() {
 std::vector<std::string> spacesOf(const RawMap& map, double level) {
     std::vector<std::string> ids;
     for (const Region& region : map.data.regions)
-        if (region.level == level && region.id.value.find("space-") != std::string::npos) ids.push_back(region.id.value);
+        if (region.level == level && region.id.value.find("space-") != std::string::npos)
+            ids.push_back(region.id.value);
     return ids;
 }
 
@@ -86,13 +87,15 @@ std::string fileText(const std::string& path) {
 }
 
 TEST(ImportWrld, AMissingOrBrokenFloorIsAnError) {
-    auto missing = makeWrldImporter()->read(listingOf({fixture("wrld_house/main.json"), fixture("wrld_house/low.geojson")}), {});
+    auto missing = makeWrldImporter()->read(
+        listingOf({fixture("wrld_house/main.json"), fixture("wrld_house/low.geojson")}), {});
     ASSERT_FALSE(missing.ok());
     EXPECT_NE(missing.error().message.find("ground.geojson"), std::string::npos);
     std::string main = fileText(fixture("wrld_house/main.json"));
-    for (const std::string& bytes : {std::string(), main.substr(0, 200), std::string("[]"), std::string("{\"levels\":[]}"),
-                                     std::string("{\"levels\":[1]}"), std::string("{\"levels\":[{\"z_order\":1e99}]}"),
-                                     std::string(200000, '[')})
+    for (const std::string& bytes :
+         {std::string(), main.substr(0, 200), std::string("[]"), std::string("{\"levels\":[]}"),
+          std::string("{\"levels\":[1]}"), std::string("{\"levels\":[{\"z_order\":1e99}]}"),
+          std::string(200000, '[')})
         EXPECT_FALSE(readBytes(*makeWrldImporter(), "main.json", bytes).ok()) << bytes.substr(0, 40);
 }
 
@@ -100,7 +103,8 @@ TEST(ImportWrld, WestportHouse) {
     std::string folder = realMap("westport_house_wrld/westport-house");
     if (folder.empty()) GTEST_SKIP() << "FAROL_DATA has no maps/westport_house_wrld";
     std::vector<std::string> paths;
-    for (const auto& entry : std::filesystem::directory_iterator(folder)) paths.push_back(entry.path().string());
+    for (const auto& entry : std::filesystem::directory_iterator(folder))
+        paths.push_back(entry.path().string());
     std::sort(paths.begin(), paths.end());
     auto map = makeWrldImporter()->read(listingOf(paths), {});
     ASSERT_TRUE(map.ok()) << map.error().text();

@@ -4,7 +4,6 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
 #include <limits>
 
 namespace farol::building {
@@ -25,7 +24,8 @@ AsciiMap twoRoomsAndABar() {
         |    /    *    |
         +----+----+----+
     )");
-    map.region('A', {"Café Müller", RegionKind::Room, "0.01"}).region('B', {"Office", RegionKind::Room, "0.02"});
+    map.region('A', {"Café Müller", RegionKind::Room, "0.01"})
+        .region('B', {"Office", RegionKind::Room, "0.02"});
     map.region('C', {"office", RegionKind::Room, "0.03"});
     return map;
 }
@@ -86,7 +86,8 @@ TEST(Describe, countsWhatIsThere) {
     EXPECT_EQ(info.components, 3U);
     EXPECT_EQ(info.largestComponent, 2U);
     EXPECT_EQ(info.unnamedRegions, 1U);
-    EXPECT_THAT(info.landmarkKinds, ElementsAre(testing::Pair("extinguisher", 1U), testing::Pair("sculpture", 1U)));
+    EXPECT_THAT(info.landmarkKinds,
+                ElementsAre(testing::Pair("extinguisher", 1U), testing::Pair("sculpture", 1U)));
     ASSERT_EQ(info.levels.size(), 2U);
     EXPECT_EQ(info.levels[0].level, -1.0);
     EXPECT_EQ(info.levels[0].landmarks, 2U);
@@ -161,7 +162,8 @@ TEST(Checks, brokenOutlinesAreToldApart) {
     EXPECT_THAT(faultOf({}), HasSubstr("fewer than three"));
     EXPECT_THAT(faultOf({{0, 0}, {1, 1}, {2, 2}}), HasSubstr("no area"));
     EXPECT_THAT(faultOf({{0, 0}, {4, 4}, {4, 0}, {0, 3}}), HasSubstr("crosses itself"));
-    EXPECT_THAT(faultOf({{0, 0}, {std::numeric_limits<double>::quiet_NaN(), 0}, {1, 1}}), HasSubstr("no number"));
+    EXPECT_THAT(faultOf({{0, 0}, {std::numeric_limits<double>::quiet_NaN(), 0}, {1, 1}}),
+                HasSubstr("no number"));
     EXPECT_EQ(faultOf({{0, 0}, {1, 0}, {1, 1}}), "");
 }
 

@@ -1,8 +1,7 @@
 #include "core/building/import/level_parser.h"
 
-#include <gtest/gtest.h>
-
 #include <clocale>
+#include <gtest/gtest.h>
 #include <string>
 
 namespace {
@@ -42,11 +41,14 @@ TEST(LevelParser, ForgivesCommonMistakes) {
     EXPECT_EQ(levelsOf("0,5;1"), (Levels{0.5, 1}));
     EXPECT_EQ(levelsOf("1;"), Levels{1});
     EXPECT_EQ(levelsOf("+2"), Levels{2});
-    EXPECT_EQ(levelsOf("\xE2\x88\x92" "1"), Levels{-1});
+    EXPECT_EQ(levelsOf("\xE2\x88\x92"
+                       "1"),
+              Levels{-1});
 }
 
 TEST(LevelParser, TellsWhatItCannotRead) {
-    for (const char* junk : {"EG", "1-", "--", "1 2", "nan", "inf", "1e3", "0x1", "1.2.3", "1-2-3", "99999999", "-"})
+    for (const char* junk :
+         {"EG", "1-", "--", "1 2", "nan", "inf", "1e3", "0x1", "1.2.3", "1-2-3", "99999999", "-"})
         EXPECT_FALSE(parseLevels(junk).understood) << junk;
     auto partly = parseLevels("EG;1");
     EXPECT_EQ(partly.levels, Levels{1});

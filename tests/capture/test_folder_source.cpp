@@ -1,5 +1,4 @@
 #include "core/capture/frame_source.h"
-
 #include "tests/support/temporary_folder.h"
 
 #include <opencv2/imgcodecs.hpp>
@@ -38,8 +37,10 @@ Walk walkThrough(FrameSource& source) {
 TEST(FolderSource, PicturesComeInNaturalOrderWithTheTimesAskedFor) {
     test::TemporaryFolder folder;
     for (const char* name : {"10.jpg", "2.jpg", "1.png", "note.txt"}) {
-        if (std::string(name) == "note.txt") folder.write(name, "not a picture");
-        else writePicture(folder, name);
+        if (std::string(name) == "note.txt")
+            folder.write(name, "not a picture");
+        else
+            writePicture(folder, name);
     }
     std::filesystem::create_directory(folder / "folder.jpg");
     SourceOptions options;

@@ -1,5 +1,4 @@
 #include "core/capture/picture.h"
-
 #include "tests/support/temporary_folder.h"
 
 #include <opencv2/imgcodecs.hpp>

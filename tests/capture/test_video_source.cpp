@@ -1,18 +1,15 @@
 #include "core/capture/frame_source.h"
-
 #include "tests/support/temporary_folder.h"
 
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/videoio.hpp>
 
 #include <arpa/inet.h>
-#include <sys/socket.h>
-#include <unistd.h>
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
+#include <sys/socket.h>
 #include <thread>
+#include <unistd.h>
 
 namespace farol::capture {
 namespace {
@@ -20,7 +17,9 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-cv::Mat picture(int brightness) { return cv::Mat(48, 64, CV_8UC3, cv::Scalar::all(brightness)); }
+cv::Mat picture(int brightness) {
+    return cv::Mat(48, 64, CV_8UC3, cv::Scalar::all(brightness));
+}
 
 std::string writeVideo(const test::TemporaryFolder& folder, int frames) {
     std::string path = (folder / "walk.avi").string();
@@ -61,12 +60,14 @@ private:
             if (connection < 0) return;
             char request[2048];
             (void)::recv(connection, request, sizeof request, 0);
-            send(connection, "HTTP/1.0 200 OK\r\nContent-Type: multipart/x-mixed-replace; boundary=frame\r\n\r\n");
+            send(connection,
+                 "HTTP/1.0 200 OK\r\nContent-Type: multipart/x-mixed-replace; boundary=frame\r\n\r\n");
             for (int i = 0; i < frames; ++i) {
                 std::vector<unsigned char> jpeg;
                 cv::imencode(".jpg", picture(30 * (i % 8)), jpeg);
-                send(connection, "--frame\r\nContent-Type: image/jpeg\r\nContent-Length: " + std::to_string(jpeg.size()) +
-                                     "\r\n\r\n" + std::string(jpeg.begin(), jpeg.end()) + "\r\n");
+                send(connection,
+                     "--frame\r\nContent-Type: image/jpeg\r\nContent-Length: " + std::to_string(jpeg.size()) +
+                         "\r\n\r\n" + std::string(jpeg.begin(), jpeg.end()) + "\r\n");
             }
             ::close(connection);
         }
@@ -98,7 +99,8 @@ TEST(VideoSource, AVideoFileGivesItsFramesAndTimes) {
     }
     ASSERT_EQ(times.size(), 5U);
     for (std::size_t i = 0; i < times.size(); ++i) EXPECT_NEAR(times[i], 0.1 * static_cast<double>(i), 1e-6);
-    EXPECT_LT(first.at<cv::Vec3b>(20, 20)[0], 12) << "later frames must not be written into a picture handed out";
+    EXPECT_LT(first.at<cv::Vec3b>(20, 20)[0], 12)
+        << "later frames must not be written into a picture handed out";
     EXPECT_FALSE((*source)->next()) << "the end stays the end";
 }
 
@@ -157,7 +159,8 @@ TEST(VideoSource, AStopEndsTheLongestPause) {
     (*source)->onEvent([&](const SourceEvent& event) {
         if (event.kind == SourceEventKind::ConnectionLost) (*source)->requestStop();
     });
-    while ((*source)->next()) {}
+    while ((*source)->next()) {
+    }
     EXPECT_TRUE((*source)->stopRequested());
 }
 

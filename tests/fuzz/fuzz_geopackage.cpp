@@ -1,4 +1,5 @@
-// Whatever bytes claim to be a GeoPackage: reading, checking and planning end with a value or an Error, never otherwise.
+// Whatever bytes claim to be a GeoPackage: reading, checking and planning end with a value or an Error, never
+// otherwise.
 #include "core/building/checks.h"
 #include "core/building/geopackage.h"
 #include "core/building/info.h"
@@ -22,7 +23,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         (void)farol::building::checkBuilding(building);
         (void)farol::building::describe(building);
         auto planner = farol::routing::makeOptimalPlanner(loaded->building);
-        (void)planner->plan({building.regions().front().id, std::nullopt}, {building.regions().back().id, std::nullopt});
+        (void)planner->plan({building.regions().front().id, std::nullopt},
+                            {building.regions().back().id, std::nullopt});
     } else if (loaded.error().message.empty()) {
         std::abort(); // an error always says what is wrong
     }

@@ -1,5 +1,5 @@
-// The blobs of a landmark library file, which anybody may hand to us: any bytes are decoded or refused, and what is
-// decoded is encoded to the same bytes again.
+// The blobs of a landmark library file, which anybody may hand to us: any bytes are decoded or refused, and
+// what is decoded is encoded to the same bytes again.
 
 #include "core/recognition/feature_blobs.h"
 

@@ -1,4 +1,5 @@
-// Logs and recordings come from anywhere: no bytes may crash their readers, or the walk that is replayed from them.
+// Logs and recordings come from anywhere: no bytes may crash their readers, or the walk that is replayed from
+// them.
 
 #include "core/session/json_lines.h"
 #include "core/session/recorder.h"
@@ -14,12 +15,13 @@ namespace {
 using namespace farol;
 
 std::shared_ptr<const building::Building> rooms() {
-    static const auto building = test::asciiMap(R"(
+    static const auto building =
+        test::asciiMap(R"(
         +------+------+
         |A  e  /B  p  |
         +------+------+
     )",
-                                                {{'e', {Kind::Extinguisher, "", "e"}}, {'p', {Kind::Poster, "", "p"}}});
+                       {{'e', {Kind::Extinguisher, "", "e"}}, {'p', {Kind::Poster, "", "p"}}});
     return building;
 }
 
@@ -43,11 +45,15 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (size == 0) return 0;
     std::string text(reinterpret_cast<const char*>(data) + 1, size - 1);
     switch (data[0] % 4) {
-    case 0: (void)session::parseLogLine(text); break;
+    case 0:
+        (void)session::parseLogLine(text);
+        break;
     case 1:
         if (auto json = session::parsedJson(text)) (void)session::perceptFromJson(*json);
         break;
-    case 2: replayed(R"({"farol_recording":1})", text); break;
+    case 2:
+        replayed(R"({"farol_recording":1})", text);
+        break;
     default: {
         std::size_t split = text.find('\0');
         replayed(text.substr(0, split), split == std::string::npos ? std::string() : text.substr(split + 1));

@@ -10,16 +10,19 @@
 
 namespace farol::building {
 
-inline int fuzzImporter(const Importer& importer, const char* name, const std::uint8_t* data, std::size_t size) {
+inline int fuzzImporter(const Importer& importer, const char* name, const std::uint8_t* data,
+                        std::size_t size) {
     std::string bytes(reinterpret_cast<const char*>(data), size);
     std::string path = std::string("/vsimem/fuzz/") + name;
-    VSIFCloseL(VSIFileFromMemBuffer(path.c_str(), reinterpret_cast<GByte*>(bytes.data()), bytes.size(), FALSE));
+    VSIFCloseL(
+        VSIFileFromMemBuffer(path.c_str(), reinterpret_cast<GByte*>(bytes.data()), bytes.size(), FALSE));
     SourceListing listing;
     listing.path = path;
     listing.members.push_back({name, path, bytes.size()});
     importer.recognises(listing);
     auto map = importer.read(listing, {});
-    if (map.ok() && map->data.regions.empty()) __builtin_trap(); // a map without regions is an error, not a map
+    if (map.ok() && map->data.regions.empty())
+        __builtin_trap(); // a map without regions is an error, not a map
     VSIUnlink(path.c_str());
     return 0;
 }

@@ -32,7 +32,8 @@ inline AsciiMap corridorMap() {
             |U       |T   |
             |        /    |
             +--------+----+
-        )", 1.0)
+        )",
+               1.0)
         .join(building::AccessKind::Stairs, 'S', 'T', "main", 18)
         .region('A', {"Library", building::RegionKind::Room})
         .region('B', {"Bar", building::RegionKind::Room})
@@ -40,23 +41,31 @@ inline AsciiMap corridorMap() {
         .region('U', {"Office", building::RegionKind::Room});
 }
 
-inline building::Location at(const std::string& region) { return {RegionId(region), std::nullopt}; }
+inline building::Location at(const std::string& region) {
+    return {RegionId(region), std::nullopt};
+}
 
 struct Guided {
     explicit Guided(AsciiMap drawing = corridorMap(), guidance::GuidanceOptions options = {},
                     guidance::TrackerOptions tracking = {})
-        : map(std::move(drawing)), building(map.build()), planner(std::make_shared<StraightPlanner>(building)),
-          tracker(building, planner, tracking), scheduler(building, options) {}
+        : map(std::move(drawing)),
+          building(map.build()),
+          planner(std::make_shared<StraightPlanner>(building)),
+          tracker(building, planner, tracking),
+          scheduler(building, options) {}
 
     /// A new observation says: this region, and perhaps this spot of the drawing.
-    const std::vector<guidance::Cue>& seen(const std::string& region, char spot = 0, double confidence = 0.9) {
+    const std::vector<guidance::Cue>& seen(const std::string& region, char spot = 0,
+                                           double confidence = 0.9) {
         fix = {};
         evidence = time + secondsBetween;
         fix.evidenceTime = evidence;
         if (!region.empty()) {
             fix.region = RegionId(region);
             fix.confidence = confidence;
-            fix.level = building->region(RegionId(region)) != nullptr ? building->region(RegionId(region))->level : 0.0;
+            fix.level = building->region(RegionId(region)) != nullptr
+                            ? building->region(RegionId(region))->level
+                            : 0.0;
         }
         if (spot != 0) {
             fix.position = map.spot(spot).position;
@@ -84,7 +93,8 @@ struct Guided {
         return heard;
     }
     const guidance::Cue* find(guidance::CueKind kind) const {
-        auto found = std::find_if(cues.begin(), cues.end(), [&](const auto& cue) { return cue.kind == kind; });
+        auto found =
+            std::find_if(cues.begin(), cues.end(), [&](const auto& cue) { return cue.kind == kind; });
         return found == cues.end() ? nullptr : &*found;
     }
     std::size_t count(guidance::CueKind kind) const {

@@ -1,6 +1,6 @@
 #pragma once
-// A planner of the tests' own, so that what is told does not depend on how routes are found: fewest regions, straight
-// lines from access to access.
+// A planner of the tests' own, so that what is told does not depend on how routes are found: fewest regions,
+// straight lines from access to access.
 
 #include "core/routing/route.h"
 
@@ -14,7 +14,8 @@ namespace farol::test {
 
 class StraightPlanner final : public routing::Planner {
 public:
-    explicit StraightPlanner(std::shared_ptr<const building::Building> building) : m_building(std::move(building)) {}
+    explicit StraightPlanner(std::shared_ptr<const building::Building> building)
+        : m_building(std::move(building)) {}
 
     Result<routing::Route> plan(const building::Location& from, const building::Location& to) const override {
         ++plans;
@@ -69,10 +70,11 @@ private:
         for (std::size_t i = 0; i < route.accesses.size(); ++i) {
             const building::Access& access = *m_building->access(route.accesses[i]);
             routing::Manoeuvre manoeuvre;
-            manoeuvre.kind = access.kind == building::AccessKind::Stairs     ? routing::ManoeuvreKind::Stairs
-                             : access.kind == building::AccessKind::Elevator ? routing::ManoeuvreKind::Elevator
-                             : access.kind == building::AccessKind::Opening  ? routing::ManoeuvreKind::Opening
-                                                                             : routing::ManoeuvreKind::Door;
+            manoeuvre.kind = access.kind == building::AccessKind::Stairs ? routing::ManoeuvreKind::Stairs
+                             : access.kind == building::AccessKind::Elevator
+                                 ? routing::ManoeuvreKind::Elevator
+                             : access.kind == building::AccessKind::Opening ? routing::ManoeuvreKind::Opening
+                                                                            : routing::ManoeuvreKind::Door;
             manoeuvre.access = access.id;
             manoeuvre.from = route.regions[i];
             manoeuvre.into = route.regions[i + 1];
@@ -84,7 +86,8 @@ private:
             if (manoeuvre.targetLevel < manoeuvre.level) manoeuvre.vertical = routing::Vertical::Down;
             append(route, manoeuvre.position, manoeuvre.level);
             manoeuvre.atM = route.lengthM;
-            if (manoeuvre.targetLevel != manoeuvre.level) append(route, manoeuvre.position, manoeuvre.targetLevel);
+            if (manoeuvre.targetLevel != manoeuvre.level)
+                append(route, manoeuvre.position, manoeuvre.targetLevel);
             route.manoeuvres.push_back(manoeuvre);
         }
         append(route, goal, levelOf(route.regions.size() - 1));

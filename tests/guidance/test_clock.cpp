@@ -1,7 +1,6 @@
 #include "core/guidance/clock.h"
 
 #include <gtest/gtest.h>
-
 #include <limits>
 #include <utility>
 #include <vector>
@@ -12,9 +11,9 @@ using namespace farol::guidance;
 namespace {
 
 TEST(Clock, HoursOfThePaperRepaired) {
-    const std::vector<std::pair<double, int>> vectors{{0, 12},   {-30, 1}, {-90, 3}, {180, 6},  {-180, 6}, {90, 9},
-                                                      {30, 11},  {270, 3}, {-270, 9}, {60, 10}, {-60, 2},  {150, 7},
-                                                      {-150, 5}, {720, 12}, {-750, 1}};
+    const std::vector<std::pair<double, int>> vectors{{0, 12},  {-30, 1}, {-90, 3},  {180, 6},  {-180, 6},
+                                                      {90, 9},  {30, 11}, {270, 3},  {-270, 9}, {60, 10},
+                                                      {-60, 2}, {150, 7}, {-150, 5}, {720, 12}, {-750, 1}};
     for (auto [degrees, hour] : vectors) EXPECT_EQ(clockHour(fromDegrees(degrees)), hour) << degrees;
 }
 

@@ -4,8 +4,8 @@
 
 using namespace farol;
 using namespace farol::guidance;
-using farol::test::at;
 using farol::test::AsciiMap;
+using farol::test::at;
 using farol::test::Guided;
 
 namespace {
@@ -112,8 +112,8 @@ TEST(CueScheduler, AnObjectSeenFromAfarIsNoGroundForAnOrderToAct) {
     walk.tracker.setDestination(at("B"));
     walk.seen("A");
     walk.seen("K", '8');
-    walk.fix.position = Point2{walk.building->access(AccessId("K-L"))->midpoint().x - 1.0,
-                               walk.map.spot('9').position->y};
+    walk.fix.position =
+        Point2{walk.building->access(AccessId("K-L"))->midpoint().x - 1.0, walk.map.spot('9').position->y};
     walk.fix.sigmaM = 2.0;
     walk.fix.evidenceTime = walk.time + 4;
     walk.later(4.0);
@@ -125,8 +125,8 @@ TEST(CueScheduler, ActIsVoidOnceItsRegionIsLeft) {
     walk.tracker.setDestination(at("B"));
     walk.seen("A");
     walk.seen("K", '8');
-    walk.fix.position = Point2{walk.building->access(AccessId("K-L"))->midpoint().x - 1.0,
-                               walk.map.spot('9').position->y};
+    walk.fix.position =
+        Point2{walk.building->access(AccessId("K-L"))->midpoint().x - 1.0, walk.map.spot('9').position->y};
     walk.fix.evidenceTime = walk.time + 4;
     walk.later(4.0);
     const Cue* act = walk.find(CueKind::Act);

@@ -6,8 +6,8 @@
 
 using namespace farol;
 using namespace farol::guidance;
-using farol::test::at;
 using farol::test::AsciiMap;
+using farol::test::at;
 using farol::test::Guided;
 
 namespace {
@@ -42,7 +42,8 @@ TEST(GuidedWalk, EveryDoorOnTheWayIsToldBeforeItAndArrivalAtTheEnd) {
     for (const char* access : {"A-K", "K-S", "T-U"}) {
         EXPECT_EQ(std::count(told.begin(), told.end(), access), 1) << access;
     }
-    EXPECT_EQ(std::count(told.begin(), told.end(), "S-T"), 2) << "ahead of the stairs, and at them with their steps";
+    EXPECT_EQ(std::count(told.begin(), told.end(), "S-T"), 2)
+        << "ahead of the stairs, and at them with their steps";
     EXPECT_EQ(walk.all.back().kind, CueKind::Arrived);
 }
 
@@ -165,7 +166,8 @@ TEST(GuidedWalk, OnAPlannedRouteEveryDoorIsActedOnAndDistancesFit) {
     std::size_t region = 0;
     for (double walked = 0.0; walked < planned->lengthM + 1.5; walked += 1.5) {
         for (const routing::Manoeuvre& each : planned->manoeuvres) {
-            if (!each.access.empty() && each.into == planned->regions[region + 1] && walked > each.atM) ++region;
+            if (!each.access.empty() && each.into == planned->regions[region + 1] && walked > each.atM)
+                ++region;
             if (region + 1 == planned->regions.size()) break;
         }
         routing::PathPoint here = pointAlong(*planned, walked);
@@ -203,7 +205,8 @@ TEST(GuidedWalk, TheSameWalkIsToldTheSame) {
         walk.tracker.setDestination(at("U"));
         for (const char* region : {"A", "B", "K", "S", "T", "U"}) {
             for (const Cue& cue : walk.seen(region, 0, 0.7)) {
-                lines.push_back(std::to_string(cue.id) + cueKindName(cue.kind) + cue.regionName + cue.intoName);
+                lines.push_back(std::to_string(cue.id) + cueKindName(cue.kind) + cue.regionName +
+                                cue.intoName);
             }
         }
     }

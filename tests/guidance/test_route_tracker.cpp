@@ -4,13 +4,15 @@
 
 using namespace farol;
 using namespace farol::guidance;
-using farol::test::at;
 using farol::test::AsciiMap;
+using farol::test::at;
 using farol::test::Guided;
 
 namespace {
 
-std::string nextAccess(const Progress& progress) { return progress.next ? progress.next->access.value : "none"; }
+std::string nextAccess(const Progress& progress) {
+    return progress.next ? progress.next->access.value : "none";
+}
 
 TEST(RouteTracker, PlansOnceDestinationAndRegionAreKnown) {
     Guided walk;

@@ -45,7 +45,8 @@ TEST(NavigationHistory, AWeakerRepeatKeepsTheBetterScore) {
 
 TEST(NavigationHistory, TwoDoorsOfOneFrameAreTwo) {
     NavigationHistory history;
-    auto fresh = history.add({at(seen(Kind::Door, {}, {}, kLeft), 1, 0), at(seen(Kind::Door, {}, {}, kRight), 1, 0)});
+    auto fresh =
+        history.add({at(seen(Kind::Door, {}, {}, kLeft), 1, 0), at(seen(Kind::Door, {}, {}, kRight), 1, 0)});
     EXPECT_EQ(fresh.size(), 2U);
 }
 
@@ -70,7 +71,9 @@ TEST(NavigationHistory, ATrainedObjectThatMovesThroughThePictureStaysOne) {
 
 TEST(NavigationHistory, TwoCopiesOfATrainedObjectInOneFrameAreTwo) {
     NavigationHistory history;
-    EXPECT_EQ(history.add({at(seen(Kind::Sign, "exit", {}, kLeft), 1, 0), at(seen(Kind::Sign, "exit", {}, kRight), 1, 0)})
+    EXPECT_EQ(history
+                  .add({at(seen(Kind::Sign, "exit", {}, kLeft), 1, 0),
+                        at(seen(Kind::Sign, "exit", {}, kRight), 1, 0)})
                   .size(),
               2U);
 }

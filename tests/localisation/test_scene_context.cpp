@@ -1,7 +1,8 @@
 #include "core/localisation/scene_context.h"
 
-#include <gtest/gtest.h>
 #include <opencv2/imgproc.hpp>
+
+#include <gtest/gtest.h>
 
 using namespace farol::localisation;
 

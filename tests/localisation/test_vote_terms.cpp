@@ -5,7 +5,6 @@
 #include "tests/support/ascii_map.h"
 
 #include <gtest/gtest.h>
-
 #include <random>
 
 using namespace farol;
@@ -40,13 +39,15 @@ std::shared_ptr<const building::Building> twoLevels() {
             |A   |B e |C f |D   |S   |
             |    /    /    /    /    |
             +----+----+----+----+----+
-        )", 0.0)
+        )",
+               0.0)
         .floor(R"(
             +----+----+----+----+----+
             |Z   |Y e |X f |W   |T  s|
             |    /    /    /    /    |
             +----+----+----+----+----+
-        )", 1.0)
+        )",
+               1.0)
         .join(building::AccessKind::Stairs, 'S', 'T')
         .landmark('e', {Kind::Extinguisher})
         .landmark('f', {Kind::Fountain})
@@ -146,8 +147,11 @@ TEST(VoteTerms, DirectionByTheSignsOfBothComponents) {
     RouteContext route;
     route.regions = {RegionId("H")};
     route.nextAccess = map.build()->landmark(LandmarkId("b"))->position; // north-east of the centre
-    const std::map<Kind, double> expected{
-        {Kind::Bin, 3.0}, {Kind::Poster, 2.0}, {Kind::Locker, 2.0}, {Kind::Plant, 1.0}, {Kind::Fountain, 2.0}};
+    const std::map<Kind, double> expected{{Kind::Bin, 3.0},
+                                          {Kind::Poster, 2.0},
+                                          {Kind::Locker, 2.0},
+                                          {Kind::Plant, 1.0},
+                                          {Kind::Fountain, 2.0}};
     for (const auto& [kind, pdir] : expected) {
         Walk walk(map.build());
         walk.start("H");

@@ -3,9 +3,8 @@
 #include "tests/localisation/walk.h"
 #include "tests/support/ascii_map.h"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
+#include <gtest/gtest.h>
 #include <limits>
 
 using namespace farol;
@@ -45,7 +44,9 @@ RouteContext routeOf(const std::vector<std::string>& regions, std::optional<Poin
     return route;
 }
 
-recognition::Detection place(const std::string& name) { return seen(Kind::Place, name); }
+recognition::Detection place(const std::string& name) {
+    return seen(Kind::Place, name);
+}
 
 TEST(VotingSafety, OneFalseDoorDoesNotMoveTheFixOutOfAWellKnownPlace) {
     const std::vector<std::vector<std::string>> routes{{}, {"A", "B", "C"}, {"B", "C", "D"}, {"C", "D"}};
@@ -56,7 +57,8 @@ TEST(VotingSafety, OneFalseDoorDoesNotMoveTheFixOutOfAWellKnownPlace) {
             walk.localiser->setRoute(routeOf(route, Point2{8, 1}));
             for (const char* name : {"p1", "p2", "p3", "p4"}) walk.see(place(name));
             Fix fix = walk.see(seen(Kind::Door));
-            EXPECT_EQ(regionOf(fix), "A") << "start '" << start << "', " << route.size() << " regions on the route";
+            EXPECT_EQ(regionOf(fix), "A")
+                << "start '" << start << "', " << route.size() << " regions on the route";
         }
     }
 }
@@ -119,12 +121,14 @@ TEST(VotingLocaliser, APlaceWithADirectionTellsWhichWayTheUserFacesAtOnce) {
     Fix first = walk.see(place("p1"));
     ASSERT_TRUE(first.heading.has_value());
     EXPECT_NEAR(toDegrees(*first.heading), 90.0, 1e-9);
-    EXPECT_NEAR(toDegrees(*walk.see(place("p2")).heading), 90.0, 1e-9) << "sideways steps do not turn the camera";
+    EXPECT_NEAR(toDegrees(*walk.see(place("p2")).heading), 90.0, 1e-9)
+        << "sideways steps do not turn the camera";
 
     Walk literal(map, VotingOptions::literal());
     literal.start("A");
     EXPECT_FALSE(literal.see(place("p1")).heading.has_value());
-    EXPECT_NEAR(toDegrees(*literal.see(place("p2")).heading), 0.0, 1e-9) << "the paper knows displacement only";
+    EXPECT_NEAR(toDegrees(*literal.see(place("p2")).heading), 0.0, 1e-9)
+        << "the paper knows displacement only";
 }
 
 TEST(VotingLocaliser, TwoObjectsSeenFromOneSpotAreNoWalk) {
@@ -241,7 +245,8 @@ TEST(VotingLocaliser, LostWhenTheWinnerHoldsNothingThatWasSeen) {
     EXPECT_NE(fixes[0].note.find("lost"), std::string::npos);
     EXPECT_EQ(regionOf(fixes[1]), "H");
     Fix next = loses.see(seen(Kind::Poster));
-    for (const RegionVote& vote : next.votes) EXPECT_EQ(vote.terms.at("Ppos"), 0.0) << "lost: no neighbourhood";
+    for (const RegionVote& vote : next.votes)
+        EXPECT_EQ(vote.terms.at("Ppos"), 0.0) << "lost: no neighbourhood";
 }
 
 TEST(VotingLocaliser, ReadLiterallyTheWinnerIsAnsweredThoughLost) {

@@ -9,8 +9,8 @@
 
 namespace farol::test {
 
-inline recognition::Detection seen(Kind kind, const std::string& templateId = {}, const std::string& text = {},
-                                   ImageBox box = {100, 100, 80, 120}) {
+inline recognition::Detection seen(Kind kind, const std::string& templateId = {},
+                                   const std::string& text = {}, ImageBox box = {100, 100, 80, 120}) {
     recognition::Detection detection;
     detection.kind = kind;
     detection.templateId = TemplateId(templateId);
@@ -54,6 +54,8 @@ struct Walk {
     int scene = 0;
 };
 
-inline std::string regionOf(const localisation::Fix& fix) { return fix.region ? fix.region->value : "none"; }
+inline std::string regionOf(const localisation::Fix& fix) {
+    return fix.region ? fix.region->value : "none";
+}
 
 } // namespace farol::test

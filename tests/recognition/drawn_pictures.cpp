@@ -28,9 +28,17 @@ cv::Mat poster(std::uint64_t seed) {
         cv::Point a(random.uniform(0, 400), random.uniform(0, 300));
         int size = random.uniform(6, 50);
         switch (random.uniform(0, 4)) {
-        case 0: cv::circle(picture, a, size / 2 + 2, colour(random), cv::FILLED, cv::LINE_AA); break;
-        case 1: cv::rectangle(picture, cv::Rect(a.x, a.y, size, random.uniform(6, 50)), colour(random), cv::FILLED); break;
-        case 2: cv::line(picture, a, {random.uniform(0, 400), random.uniform(0, 300)}, colour(random), 3, cv::LINE_AA); break;
+        case 0:
+            cv::circle(picture, a, size / 2 + 2, colour(random), cv::FILLED, cv::LINE_AA);
+            break;
+        case 1:
+            cv::rectangle(picture, cv::Rect(a.x, a.y, size, random.uniform(6, 50)), colour(random),
+                          cv::FILLED);
+            break;
+        case 2:
+            cv::line(picture, a, {random.uniform(0, 400), random.uniform(0, 300)}, colour(random), 3,
+                     cv::LINE_AA);
+            break;
         default:
             cv::putText(picture, std::string(1, static_cast<char>(random.uniform('A', 'Z' + 1))), a,
                         cv::FONT_HERSHEY_DUPLEX, size / 20.0, colour(random), 2, cv::LINE_AA);
@@ -47,7 +55,8 @@ cv::Mat room(std::uint64_t seed, cv::Size size) {
     cv::resize(noise, picture, size, 0.0, 0.0, cv::INTER_CUBIC);
     for (int i = 0; i < 12; ++i)
         cv::line(picture, {random.uniform(0, size.width), random.uniform(0, size.height)},
-                 {random.uniform(0, size.width), random.uniform(0, size.height)}, colour(random), 2, cv::LINE_AA);
+                 {random.uniform(0, size.width), random.uniform(0, size.height)}, colour(random), 2,
+                 cv::LINE_AA);
     return picture;
 }
 
@@ -59,7 +68,8 @@ void hang(cv::Mat& picture, const cv::Mat& poster, const Quad& quad) {
     cv::Mat soft, warped, mask;
     cv::GaussianBlur(poster, soft, cv::Size(), 0.6);
     cv::warpPerspective(soft, warped, homography, picture.size(), cv::INTER_LINEAR);
-    cv::warpPerspective(cv::Mat(poster.size(), CV_8U, cv::Scalar(255)), mask, homography, picture.size(), cv::INTER_NEAREST);
+    cv::warpPerspective(cv::Mat(poster.size(), CV_8U, cv::Scalar(255)), mask, homography, picture.size(),
+                        cv::INTER_NEAREST);
     warped.copyTo(picture, mask);
 }
 

@@ -1,12 +1,12 @@
 #include "core/recognition/door_detector.h"
 #include "core/recognition/rectangle_detector.h"
 
-#include "drawn_pictures.h"
-
 #include <opencv2/imgproc.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "drawn_pictures.h"
 
 namespace farol::recognition {
 namespace {
@@ -19,8 +19,10 @@ cv::Mat wallWithDoor(const cv::Rect& door, cv::Scalar leaf = cv::Scalar::all(50)
     cv::rectangle(picture, cv::Rect(0, 450, 640, 30), cv::Scalar(120, 130, 130), cv::FILLED);
     if (door.area() > 0) {
         cv::rectangle(picture, door, cv::Scalar::all(90), cv::FILLED);
-        cv::rectangle(picture, cv::Rect(door.x + 6, door.y + 6, door.width - 12, door.height - 6), leaf, cv::FILLED);
-        cv::circle(picture, {door.x + door.width - 20, door.y + door.height / 2}, 5, cv::Scalar::all(200), cv::FILLED);
+        cv::rectangle(picture, cv::Rect(door.x + 6, door.y + 6, door.width - 12, door.height - 6), leaf,
+                      cv::FILLED);
+        cv::circle(picture, {door.x + door.width - 20, door.y + door.height / 2}, 5, cv::Scalar::all(200),
+                   cv::FILLED);
     }
     cv::Mat noise(picture.size(), CV_16SC3);
     cv::RNG(5).fill(noise, cv::RNG::NORMAL, 0.0, 3.0);
@@ -29,12 +31,13 @@ cv::Mat wallWithDoor(const cv::Rect& door, cv::Scalar leaf = cv::Scalar::all(50)
 }
 
 TEST(Doors, AFrontalDoorIsFoundWhereItStands) {
-    for (const cv::Rect& door : {cv::Rect(240, 90, 160, 362), cv::Rect(60, 60, 190, 392), cv::Rect(430, 200, 110, 252)}) {
+    for (const cv::Rect& door :
+         {cv::Rect(240, 90, 160, 362), cv::Rect(60, 60, 190, 392), cv::Rect(430, 200, 110, 252)}) {
         auto found = detectDoors(wallWithDoor(door)).detections;
         ASSERT_EQ(found.size(), 1U);
         EXPECT_EQ(found[0].kind, Kind::Door);
-        ImageBox truth{static_cast<double>(door.x), static_cast<double>(door.y), static_cast<double>(door.width),
-                       static_cast<double>(door.height)};
+        ImageBox truth{static_cast<double>(door.x), static_cast<double>(door.y),
+                       static_cast<double>(door.width), static_cast<double>(door.height)};
         EXPECT_GT(overlap(boundingBox(found[0].quad), truth), 0.8);
         EXPECT_GE(found[0].score, 0.55);
         EXPECT_LE(found[0].score, 1.0);
@@ -43,7 +46,8 @@ TEST(Doors, AFrontalDoorIsFoundWhereItStands) {
 
 TEST(Doors, WhatOnlyLooksLikeADoorIsNone) {
     EXPECT_THAT(detectDoors(wallWithDoor({})).detections, IsEmpty()) << "a bare wall";
-    EXPECT_THAT(detectDoors(wallWithDoor({240, 250, 100, 200})).detections, IsEmpty()) << "too small to be near";
+    EXPECT_THAT(detectDoors(wallWithDoor({240, 250, 100, 200})).detections, IsEmpty())
+        << "too small to be near";
     EXPECT_THAT(detectDoors(wallWithDoor({150, 60, 360, 392})).detections, IsEmpty()) << "too wide";
     cv::Mat board = wallWithDoor({});
     cv::rectangle(board, cv::Rect(240, 40, 130, 260), cv::Scalar::all(60), cv::FILLED);
@@ -61,8 +65,9 @@ TEST(Doors, WhatOnlyLooksLikeADoorIsNone) {
 }
 
 TEST(Doors, StrangePicturesAreAnsweredWithNothing) {
-    for (const cv::Mat& picture : {cv::Mat(), cv::Mat(1, 1, CV_8UC3, cv::Scalar::all(5)), cv::Mat(2, 900, CV_8U, cv::Scalar(5)),
-                                   cv::Mat(480, 640, CV_8UC3, cv::Scalar::all(128)), cv::Mat(480, 640, CV_32F, cv::Scalar(1))}) {
+    for (const cv::Mat& picture :
+         {cv::Mat(), cv::Mat(1, 1, CV_8UC3, cv::Scalar::all(5)), cv::Mat(2, 900, CV_8U, cv::Scalar(5)),
+          cv::Mat(480, 640, CV_8UC3, cv::Scalar::all(128)), cv::Mat(480, 640, CV_32F, cv::Scalar(1))}) {
         EXPECT_THAT(detectDoors(picture).detections, IsEmpty());
         EXPECT_THAT(detectRectangles(picture).detections, IsEmpty());
     }
@@ -77,7 +82,8 @@ TEST(Rectangles, BoardsAreFoundOnceEachWithTheirCorners) {
     Quad second{ImagePoint{360, 120}, {520, 150}, {520, 300}, {360, 320}};
     test::hang(picture, cv::Mat(300, 400, CV_8UC3, cv::Scalar(60, 40, 30)), first);
     test::hang(picture, cv::Mat(300, 400, CV_8UC3, cv::Scalar::all(245)), second);
-    cv::rectangle(picture, cv::Rect(380, 150, 110, 130), cv::Scalar::all(230), 2); // a frame inside, nearly as large
+    cv::rectangle(picture, cv::Rect(380, 150, 110, 130), cv::Scalar::all(230),
+                  2); // a frame inside, nearly as large
     auto found = detectRectangles(picture).detections;
     ASSERT_GE(found.size(), 2U);
     for (const Quad& truth : {first, second}) {
@@ -85,7 +91,8 @@ TEST(Rectangles, BoardsAreFoundOnceEachWithTheirCorners) {
                                   [&](const Detection& d) { return test::sharedArea(d.quad, truth) > 0.85; });
         EXPECT_EQ(near, 1);
     }
-    for (std::size_t i = 1; i < found.size(); ++i) EXPECT_GE(found[i - 1].score, found[i].score) << "best first";
+    for (std::size_t i = 1; i < found.size(); ++i)
+        EXPECT_GE(found[i - 1].score, found[i].score) << "best first";
     for (const Detection& d : found) {
         EXPECT_EQ(d.kind, Kind::Rectangle);
         EXPECT_LT(d.quad[0].x, d.quad[1].x) << "clockwise from the top left";
@@ -97,7 +104,8 @@ TEST(Rectangles, CirclesTrianglesAndDiamondsAreNone) {
     cv::Mat picture(480, 640, CV_8UC3, cv::Scalar::all(190));
     cv::circle(picture, {150, 150}, 80, cv::Scalar::all(30), cv::FILLED);
     cv::fillPoly(picture, std::vector<cv::Point>{{350, 80}, {450, 220}, {300, 220}}, cv::Scalar::all(30));
-    cv::fillPoly(picture, std::vector<cv::Point>{{500, 300}, {580, 380}, {500, 460}, {420, 380}}, cv::Scalar::all(30));
+    cv::fillPoly(picture, std::vector<cv::Point>{{500, 300}, {580, 380}, {500, 460}, {420, 380}},
+                 cv::Scalar::all(30));
     EXPECT_THAT(detectRectangles(picture).detections, IsEmpty());
 }
 

@@ -1,17 +1,16 @@
-#include "core/recognition/landmark_library.h"
-
 #include "core/base/file.h"
 #include "core/base/ogr.h"
 #include "core/recognition/feature_blobs.h"
-#include "drawn_pictures.h"
+#include "core/recognition/landmark_library.h"
 #include "tests/support/temporary_folder.h"
 
 #include <ogrsf_frmts.h>
 
+#include <fstream>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <fstream>
+#include "drawn_pictures.h"
 
 namespace farol::recognition {
 namespace {
@@ -110,7 +109,8 @@ TEST(LibraryStore, OtherLayersOfAMapStayAsTheyAre) {
     ASSERT_EQ(regions->GetFeatureCount(), 1);
     std::unique_ptr<OGRFeature> bar(regions->GetNextFeature());
     EXPECT_STREQ(bar->GetFieldAsString("name"), "Bar");
-    EXPECT_EQ((*map)->GetLayerByName("farol")->GetFeatureCount(), 2) << "the title, and the library's version once";
+    EXPECT_EQ((*map)->GetLayerByName("farol")->GetFeatureCount(), 2)
+        << "the title, and the library's version once";
 }
 
 TEST(LibraryStore, AnotherExtractorIsRefusedWithBothNames) {
@@ -142,7 +142,8 @@ TEST(LibraryStore, DamageIsNamedByTemplateAndView) {
         {"UPDATE views SET jpeg = X'FFD8' WHERE template = 'poster-1'", "poster-1, view 0"},
         {"UPDATE views SET outline = '1,2,3' WHERE template = 'poster-1'", "poster-1, view 0"},
         {"UPDATE views SET outline = '0,0,1,0,1,1,0,1' WHERE template = 'poster-1'", "checksum"},
-        {"UPDATE views SET extractor_parameters = 'version=' WHERE template = 'poster-1'", "poster-1, view 0"},
+        {"UPDATE views SET extractor_parameters = 'version=' WHERE template = 'poster-1'",
+         "poster-1, view 0"},
         {"UPDATE views SET template = 'ghost' WHERE template = 'poster-1'", "ghost"},
         {"UPDATE templates SET template = '' WHERE template = 'poster-1'", "layer templates"},
         {"UPDATE templates SET template = 'poster-2'", "twice"},
@@ -168,7 +169,8 @@ TEST(LibraryStore, ALaterVersionIsRefusedAndAnUnknownKindIsKept) {
     ASSERT_TRUE(library);
     EXPECT_EQ(library->templates[0].kind, Kind::Other);
     ASSERT_TRUE(saveLibrary(*library, path));
-    EXPECT_EQ(loadLibrary(path)->templates[0].unknownKind, "hologram") << "a save must not lose what it does not know";
+    EXPECT_EQ(loadLibrary(path)->templates[0].unknownKind, "hologram")
+        << "a save must not lose what it does not know";
     sql(path, "UPDATE farol SET value = '2' WHERE key = 'library_schema'");
     auto later = loadLibrary(path);
     ASSERT_FALSE(later);

@@ -8,12 +8,11 @@
 #include "core/recognition/text_reader.h"
 #include "core/recognition/training.h"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <gtest/gtest.h>
 #include <sstream>
 
 namespace farol::recognition {
@@ -28,8 +27,8 @@ fs::path set(const std::string& name) {
     return data != nullptr && fs::exists(folder) ? folder : fs::path();
 }
 
-#define FAROL_NEEDS_SET(folder, name) \
-    fs::path folder = set(name);      \
+#define FAROL_NEEDS_SET(folder, name)                                                                        \
+    fs::path folder = set(name);                                                                             \
     if (folder.empty()) GTEST_SKIP() << "images/" << name << " is not in FAROL_DATA"
 
 cv::Mat picture(const fs::path& path) {
@@ -82,7 +81,8 @@ TEST(RealPictures, TheSecondLapKnowsThePlacesOfTheFirst) {
         ASSERT_LE(found.size(), 1U);
         if (found.empty()) continue;
         EXPECT_NE(frame, 46) << "a blank wall is nowhere";
-        EXPECT_EQ(leg(std::stoi(found[0].templateId.value)), leg(frame)) << "frame " << frame << " is not at " << found[0].templateId.value;
+        EXPECT_EQ(leg(std::stoi(found[0].templateId.value)), leg(frame))
+            << "frame " << frame << " is not at " << found[0].templateId.value;
         if (frame <= 80) ++named;
     }
     EXPECT_GE(named, 32) << "of 40 frames";

@@ -1,13 +1,13 @@
 #include "core/recognition/landmark_recogniser.h"
-
 #include "core/recognition/library_check.h"
 #include "core/recognition/sharpness.h"
-#include "drawn_pictures.h"
 
 #include <opencv2/imgproc.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "drawn_pictures.h"
 
 namespace farol::recognition {
 namespace {
@@ -96,9 +96,9 @@ TEST(Recogniser, ALibraryOfOneStillTellsItFromOthers) {
 TEST(Recogniser, StrangePicturesAreAnsweredWithNothing) {
     LandmarkRecogniser recogniser(posters(2));
     for (const cv::Mat& picture :
-         {cv::Mat(), cv::Mat(1, 1, CV_8UC3, cv::Scalar::all(5)), cv::Mat(480, 640, CV_8UC3, cv::Scalar::all(128)),
-          cv::Mat(1, 4000, CV_8U, cv::Scalar::all(9)), cv::Mat(480, 640, CV_32FC1, cv::Scalar::all(0.5)),
-          cv::Mat(480, 640, CV_8UC2, cv::Scalar::all(5))})
+         {cv::Mat(), cv::Mat(1, 1, CV_8UC3, cv::Scalar::all(5)),
+          cv::Mat(480, 640, CV_8UC3, cv::Scalar::all(128)), cv::Mat(1, 4000, CV_8U, cv::Scalar::all(9)),
+          cv::Mat(480, 640, CV_32FC1, cv::Scalar::all(0.5)), cv::Mat(480, 640, CV_8UC2, cv::Scalar::all(5))})
         EXPECT_THAT(recogniser.recognise(picture).detections, testing::IsEmpty());
     cv::Mat blank(480, 640, CV_8UC3, cv::Scalar::all(128));
     auto told = recogniser.recognise(blank).rejections;
@@ -120,7 +120,8 @@ TEST(Recogniser, GreyDeepAndLargePicturesServeAsWell) {
     EXPECT_EQ(recogniser.recognise(deep).detections.size(), 1U);
     auto found = recogniser.recognise(large).detections;
     ASSERT_EQ(found.size(), 1U);
-    EXPECT_GT(test::sharedArea(found[0].quad, quadOf({540, 360, 840, 630})), 0.9) << "the quad is in the frame's own pixels";
+    EXPECT_GT(test::sharedArea(found[0].quad, quadOf({540, 360, 840, 630})), 0.9)
+        << "the quad is in the frame's own pixels";
 }
 
 TEST(Recogniser, TwoProgramsAnswerTheSameToTheLastDigit) {
@@ -144,7 +145,8 @@ TEST(Recogniser, TwoProgramsAnswerTheSameToTheLastDigit) {
     ASSERT_EQ(one.rejections.size(), two.rejections.size());
 }
 
-/// A corridor-like scene seen from a step aside: near things move more than far ones, so no plane explains it.
+/// A corridor-like scene seen from a step aside: near things move more than far ones, so no plane explains
+/// it.
 cv::Mat spot(std::uint64_t seed, double step) {
     cv::Mat picture = test::room(seed + 40);
     for (int i = 0; i < 6; ++i) {

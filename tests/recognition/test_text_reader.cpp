@@ -1,12 +1,12 @@
-#include "core/recognition/text_reader.h"
-
 #include "core/base/log.h"
-#include "drawn_pictures.h"
+#include "core/recognition/text_reader.h"
 
 #include <opencv2/imgproc.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "drawn_pictures.h"
 
 namespace farol::recognition {
 namespace {
@@ -23,8 +23,8 @@ cv::Mat sign(const std::vector<std::string>& lines, bool inverse = false) {
     for (std::size_t i = 0; i < lines.size(); ++i) {
         int base = 0;
         cv::Size size = cv::getTextSize(lines[i], cv::FONT_HERSHEY_DUPLEX, 2.2, 4, &base);
-        cv::putText(plate, lines[i], {260 - size.width / 2, 105 + 110 * static_cast<int>(i)}, cv::FONT_HERSHEY_DUPLEX, 2.2, ink, 4,
-                    cv::LINE_AA);
+        cv::putText(plate, lines[i], {260 - size.width / 2, 105 + 110 * static_cast<int>(i)},
+                    cv::FONT_HERSHEY_DUPLEX, 2.2, ink, 4, cv::LINE_AA);
     }
     return plate;
 }
@@ -100,11 +100,15 @@ TEST_F(Reading, ABlurredSignIsNotGuessedAt) {
 }
 
 TEST_F(Reading, WhereNothingIsWrittenNothingIsRead) {
-    for (std::uint64_t seed = 1; seed < 6; ++seed) EXPECT_THAT(texts(s_reader->read(test::room(seed))), IsEmpty()) << seed;
-    for (const cv::Mat& picture : {cv::Mat(), cv::Mat(1, 1, CV_8UC3, cv::Scalar::all(5)), cv::Mat(9, 9, CV_8U, cv::Scalar(5)),
-                                   cv::Mat(480, 640, CV_8UC3, cv::Scalar::all(128))}) {
+    for (std::uint64_t seed = 1; seed < 6; ++seed)
+        EXPECT_THAT(texts(s_reader->read(test::room(seed))), IsEmpty()) << seed;
+    for (const cv::Mat& picture :
+         {cv::Mat(), cv::Mat(1, 1, CV_8UC3, cv::Scalar::all(5)), cv::Mat(9, 9, CV_8U, cv::Scalar(5)),
+          cv::Mat(480, 640, CV_8UC3, cv::Scalar::all(128))}) {
         EXPECT_THAT(texts(s_reader->read(picture)), IsEmpty());
-        EXPECT_THAT(texts(s_reader->read(picture, {quadOf({0, 0, 5, 5}), quadOf({-50, -50, 900, 900}), Quad{}})), IsEmpty());
+        EXPECT_THAT(
+            texts(s_reader->read(picture, {quadOf({0, 0, 5, 5}), quadOf({-50, -50, 900, 900}), Quad{}})),
+            IsEmpty());
     }
 }
 

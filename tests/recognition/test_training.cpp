@@ -1,9 +1,9 @@
 #include "core/recognition/training.h"
 
-#include "drawn_pictures.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "drawn_pictures.h"
 
 namespace farol::recognition {
 namespace {
@@ -61,7 +61,8 @@ TEST(Training, GreyDeepAndPngPicturesAreTaken) {
     EXPECT_TRUE(addView(library, request("grey"), test::png(grey), {}));
     EXPECT_TRUE(addView(library, request("deep"), test::png(deep), {}));
     EXPECT_TRUE(addView(library, request("colour"), test::png(test::poster(3)), {}));
-    EXPECT_EQ(library.templates[2].views[0].jpeg.substr(0, 3), "\xFF\xD8\xFF") << "every view is stored as JPEG";
+    EXPECT_EQ(library.templates[2].views[0].jpeg.substr(0, 3), "\xFF\xD8\xFF")
+        << "every view is stored as JPEG";
 }
 
 TEST(Training, AWrongOutlineIsToldAndNothingIsAdded) {
@@ -89,15 +90,19 @@ TEST(Training, AWrongOutlineIsToldAndNothingIsAdded) {
 
 TEST(Training, PicturesThatCannotServeAreToldWithWhatToDo) {
     LandmarkLibrary library;
-    auto blank = addView(library, request("wall"), test::jpeg(cv::Mat(300, 400, CV_8UC3, cv::Scalar::all(180))), {});
+    auto blank =
+        addView(library, request("wall"), test::jpeg(cv::Mat(300, 400, CV_8UC3, cv::Scalar::all(180))), {});
     ASSERT_FALSE(blank);
     EXPECT_EQ(blank.error().code, ErrorCode::NotFound);
     EXPECT_THAT(blank.error().text(), HasSubstr("only 0 features"));
-    EXPECT_EQ(addView(library, request("dot"), test::png(cv::Mat(1, 1, CV_8UC3, cv::Scalar::all(9))), {}).error().code,
+    EXPECT_EQ(addView(library, request("dot"), test::png(cv::Mat(1, 1, CV_8UC3, cv::Scalar::all(9))), {})
+                  .error()
+                  .code,
               ErrorCode::NotFound);
     EXPECT_EQ(addView(library, request("text"), "no picture", {}).error().code, ErrorCode::Corrupt);
     EXPECT_EQ(addView(library, request("none"), "", {}).error().code, ErrorCode::Corrupt);
-    EXPECT_EQ(addView(library, request(""), test::jpeg(test::poster(1)), {}).error().code, ErrorCode::InvalidArgument);
+    EXPECT_EQ(addView(library, request(""), test::jpeg(test::poster(1)), {}).error().code,
+              ErrorCode::InvalidArgument);
     EXPECT_TRUE(library.templates.empty());
 }
 
@@ -113,7 +118,8 @@ TEST(Training, AnotherKindOfTheSameNameIsRefused) {
 
 TEST(Training, APlaceTakesTheWholePictureWhateverTheOutline) {
     LandmarkLibrary library;
-    ASSERT_TRUE(addView(library, request("here", Kind::Place), test::jpeg(test::poster(4)), quadOf({50, 50, 100, 100})));
+    ASSERT_TRUE(addView(library, request("here", Kind::Place), test::jpeg(test::poster(4)),
+                        quadOf({50, 50, 100, 100})));
     EXPECT_EQ(library.templates[0].views[0].outline, quadOf({0, 0, 400, 300}));
 }
 

@@ -3,9 +3,8 @@
 
 #include "core/routing/route.h"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
+#include <gtest/gtest.h>
 #include <string>
 #include <vector>
 
@@ -34,7 +33,9 @@ inline std::vector<std::string> spoken(const Route& route) {
     return words;
 }
 
-inline Location in(const std::string& region) { return {RegionId(region), std::nullopt}; }
+inline Location in(const std::string& region) {
+    return {RegionId(region), std::nullopt};
+}
 
 /// What every route must fulfil, whatever the planner.
 inline void expectSound(const Building& building, const Route& route) {

@@ -87,7 +87,8 @@ TEST(GreedyPlanner, takesACommonShaftBetweenLevels) {
     EXPECT_THAT(regionsOf(planned(building, in("B"), in("H"))), ElementsAre("B", "A", "D", "G", "H"));
     RouteOptions options;
     options.avoidStairs = true;
-    EXPECT_THAT(regionsOf(planned(building, in("B"), in("H"), options)), ElementsAre("B", "C", "F", "I", "H"));
+    EXPECT_THAT(regionsOf(planned(building, in("B"), in("H"), options)),
+                ElementsAre("B", "C", "F", "I", "H"));
     EXPECT_THAT(regionsOf(planned(building, in("H"), in("B"))), ElementsAre("H", "G", "D", "A", "B"));
     options.avoidElevator = true;
     auto none = makeGreedyPlanner(building, options)->plan(in("B"), in("H"));

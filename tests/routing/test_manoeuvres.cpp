@@ -102,8 +102,8 @@ Route along(const Polyline& points, std::optional<std::size_t> portal = std::nul
     }
     route.lengthM = length(points);
     auto building = test::asciiMap("+---+---+\n|A  /B  |\n+---+---+");
-    route.manoeuvres = manoeuvresAlong(*building, route, portal ? std::vector<std::size_t>{*portal}
-                                                               : std::vector<std::size_t>{});
+    route.manoeuvres = manoeuvresAlong(
+        *building, route, portal ? std::vector<std::size_t>{*portal} : std::vector<std::size_t>{});
     return route;
 }
 
@@ -115,8 +115,7 @@ TEST(Manoeuvres, theTurnAtADoorIsTheChangeOfDirection) {
 
 TEST(Manoeuvres, theCornerOfTwoCorridorsIsAWholeTurn) {
     // The shortest way cuts the corner and leaves by a door near it; the walls still turn by 90 degrees.
-    auto map = test::AsciiMap()
-                   .floor(R"(
+    auto map = test::AsciiMap().floor(R"(
             +--+
             |B |
             |  +-----+
@@ -135,15 +134,15 @@ TEST(Manoeuvres, theCornerOfTwoCorridorsIsAWholeTurn) {
     ASSERT_TRUE(route.ok());
     std::vector<double> turns;
     for (const Manoeuvre& each : route->manoeuvres)
-        if (each.kind == ManoeuvreKind::Opening || each.kind == ManoeuvreKind::Door) turns.push_back(toDegrees(each.turn));
+        if (each.kind == ManoeuvreKind::Opening || each.kind == ManoeuvreKind::Door)
+            turns.push_back(toDegrees(each.turn));
     ASSERT_EQ(turns.size(), 2U);
     EXPECT_NEAR(turns[0], 90.0, 1.0);
     EXPECT_NEAR(turns[1], -90.0, 1.0);
 }
 
 TEST(Manoeuvres, whoCrossesACorridorDoesNotTurnAlongIt) {
-    auto map = test::AsciiMap()
-                   .floor(R"(
+    auto map = test::AsciiMap().floor(R"(
         +---+
         |B2 |
         +-/-+---------+
@@ -160,21 +159,28 @@ TEST(Manoeuvres, whoCrossesACorridorDoesNotTurnAlongIt) {
 }
 
 TEST(Manoeuvres, aBendBesideADoorBelongsToIt) {
-    EXPECT_THAT(spoken(along({{0, 0}, {5, 0}, {5.4, 0}, {5.4, 5}}, 1)), ElementsAre("start", "door +90", "arrive"));
-    EXPECT_THAT(spoken(along({{0, 0}, {4.4, 0}, {5, 0.3}, {5, 5}}, 2)), ElementsAre("start", "door +90", "arrive"));
-    EXPECT_THAT(spoken(along({{0, 0}, {5, 0}, {8, 0}, {8, 5}}, 1)), ElementsAre("start", "door", "turn +90", "arrive"));
+    EXPECT_THAT(spoken(along({{0, 0}, {5, 0}, {5.4, 0}, {5.4, 5}}, 1)),
+                ElementsAre("start", "door +90", "arrive"));
+    EXPECT_THAT(spoken(along({{0, 0}, {4.4, 0}, {5, 0.3}, {5, 5}}, 2)),
+                ElementsAre("start", "door +90", "arrive"));
+    EXPECT_THAT(spoken(along({{0, 0}, {5, 0}, {8, 0}, {8, 5}}, 1)),
+                ElementsAre("start", "door", "turn +90", "arrive"));
 }
 
 TEST(Manoeuvres, huggingACornerDoesNotMakeATurn) {
     // A jog of 30 cm at the opening: the direction before and after is the same.
-    EXPECT_THAT(spoken(along({{0, 0}, {5, 0}, {5.2, 0.3}, {10, 0.3}}, 1)), ElementsAre("start", "door", "arrive"));
+    EXPECT_THAT(spoken(along({{0, 0}, {5, 0}, {5.2, 0.3}, {10, 0.3}}, 1)),
+                ElementsAre("start", "door", "arrive"));
     EXPECT_THAT(spoken(along({{0, 0}, {5, 0}, {5.3, 0.3}, {10, 0.3}})), ElementsAre("start", "arrive"));
 }
 
 TEST(Manoeuvres, bendsTogetherAreOneTurn) {
-    EXPECT_THAT(spoken(along({{0, 0}, {5, 0}, {5.6, 0.2}, {6, 0.7}, {6, 6}})), ElementsAre("start", "turn +90", "arrive"));
-    EXPECT_THAT(spoken(along({{0, 0}, {5, 0}, {5, 0.2}, {0, 0.2}})), ElementsAre("start", "turn +180", "arrive"));
-    EXPECT_THAT(spoken(along({{0, 0}, {5, 0}, {5, -0.2}, {0, -0.2}})), ElementsAre("start", "turn -180", "arrive"));
+    EXPECT_THAT(spoken(along({{0, 0}, {5, 0}, {5.6, 0.2}, {6, 0.7}, {6, 6}})),
+                ElementsAre("start", "turn +90", "arrive"));
+    EXPECT_THAT(spoken(along({{0, 0}, {5, 0}, {5, 0.2}, {0, 0.2}})),
+                ElementsAre("start", "turn +180", "arrive"));
+    EXPECT_THAT(spoken(along({{0, 0}, {5, 0}, {5, -0.2}, {0, -0.2}})),
+                ElementsAre("start", "turn -180", "arrive"));
     EXPECT_THAT(spoken(along({{0, 0}, {5, 0}, {9, 2}})), ElementsAre("start", "arrive")) << "27 degrees";
     EXPECT_THAT(spoken(along({{0, 0}, {5, 0}, {9, 2.6}})), ElementsAre("start", "turn +35", "arrive"));
 }

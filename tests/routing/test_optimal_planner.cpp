@@ -2,7 +2,6 @@
 #include "tests/support/ascii_map.h"
 
 #include <gmock/gmock.h>
-
 #include <limits>
 #include <thread>
 
@@ -49,7 +48,8 @@ TEST(OptimalPlanner, throughTheDoorThatCostsLess) {
     EXPECT_THAT(regionsOf(planned(map.build(), map.spot('1'), map.spot('2'))), ElementsAre("A", "B", "C"));
     RouteOptions indifferent;
     indifferent.doorSeconds = 0.0;
-    EXPECT_THAT(regionsOf(planned(map.build(), map.spot('1'), map.spot('2'), indifferent)), ElementsAre("A", "B", "C"));
+    EXPECT_THAT(regionsOf(planned(map.build(), map.spot('1'), map.spot('2'), indifferent)),
+                ElementsAre("A", "B", "C"));
 }
 
 TEST(OptimalPlanner, roundTheColumnInTheRoom) {
@@ -139,7 +139,8 @@ TEST(OptimalPlanner, refusesOptionsOutOfRange) {
     auto building = test::asciiMap("+---+\n|A  |\n+---+");
     RouteOptions options;
     options.walkingSpeed = 0.0;
-    EXPECT_EQ(makeOptimalPlanner(building, options)->plan(in("A"), in("A")).error().code, ErrorCode::InvalidArgument);
+    EXPECT_EQ(makeOptimalPlanner(building, options)->plan(in("A"), in("A")).error().code,
+              ErrorCode::InvalidArgument);
     options.walkingSpeed = std::numeric_limits<double>::quiet_NaN();
     EXPECT_FALSE(options.check().ok());
 }
@@ -152,19 +153,22 @@ AsciiMap tower() {
         |A  /D    1 /G  |
         |   |       |   |
         +---+-------+---+
-    )", -1.0);
+    )",
+              -1.0);
     map.floor(R"(
         +---+-------+---+
         |B  /E    2 /H  |
         |   |       |   |
         +---+-------+---+
-    )", 0.0);
+    )",
+              0.0);
     map.floor(R"(
         +---+-------+---+
         |C  /F    3 /I  |
         |   |       |   |
         +---+-------+---+
-    )", 1.0);
+    )",
+              1.0);
     for (char stairwell : {'A', 'B', 'C'}) map.region(stairwell, {"", RegionKind::Stairwell});
     for (char lift : {'G', 'H', 'I'}) map.region(lift, {"", RegionKind::Elevator});
     map.join(AccessKind::Stairs, 'A', 'B', "S", 18).join(AccessKind::Stairs, 'B', 'C', "S", 20);

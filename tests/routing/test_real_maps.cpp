@@ -1,12 +1,12 @@
-// Both planners over every building of the data: all rooms are reached, and never faster than by the optimal way.
+// Both planners over every building of the data: all rooms are reached, and never faster than by the optimal
+// way.
 #include "core/building/geopackage.h"
 #include "tests/routing/route_matchers.h"
-
-#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <gtest/gtest.h>
 
 namespace farol::routing {
 namespace {

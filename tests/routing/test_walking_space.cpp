@@ -1,9 +1,8 @@
 #include "core/routing/walking_space.h"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
+#include <gtest/gtest.h>
 #include <random>
 
 namespace farol::routing {
@@ -74,7 +73,18 @@ TEST(WalkingSpace, brokenPolygonsGiveStraightLines) {
 TEST(WalkingSpace, atLeastTheStraightLineAndTheSameBothWays) {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> anywhere(0.0, 10.0);
-    Polygon comb{{{0, 0}, {10, 0}, {10, 10}, {8, 10}, {8, 2}, {6, 2}, {6, 10}, {4, 10}, {4, 2}, {2, 2}, {2, 10}, {0, 10}},
+    Polygon comb{{{0, 0},
+                  {10, 0},
+                  {10, 10},
+                  {8, 10},
+                  {8, 2},
+                  {6, 2},
+                  {6, 10},
+                  {4, 10},
+                  {4, 2},
+                  {2, 2},
+                  {2, 10},
+                  {0, 10}},
                  {{{4.5, 0.5}, {5.5, 0.5}, {5.5, 1.5}, {4.5, 1.5}}}};
     for (int i = 0; i < 200; ++i) {
         Point2 a{anywhere(random), anywhere(random)};

@@ -36,10 +36,11 @@ TEST(JsonLines, ADetectionHasTheSharedForm) {
     detection.rangeM = 2.1;
     detection.bearing = fromDegrees(-12.0);
     percept.detections = {detection};
-    EXPECT_EQ(linesOf(stepWith(percept), nullptr).at(1),
-              R"({"type":"detection","t":12.346,"frame":371,"scene":14,"kind":"extinguisher","template":"red-one",)"
-              R"("text":"2.14","box":[10.0,80.0,60.0,90.0],"image":[640,480],"score":0.93,"range_m":2.1,)"
-              R"("bearing_deg":-12.0,"zone":"left-up","quad":[[10.0,80.0],[70.0,80.0],[70.0,170.0],[10.0,170.0]]})");
+    EXPECT_EQ(
+        linesOf(stepWith(percept), nullptr).at(1),
+        R"({"type":"detection","t":12.346,"frame":371,"scene":14,"kind":"extinguisher","template":"red-one",)"
+        R"("text":"2.14","box":[10.0,80.0,60.0,90.0],"image":[640,480],"score":0.93,"range_m":2.1,)"
+        R"("bearing_deg":-12.0,"zone":"left-up","quad":[[10.0,80.0],[70.0,80.0],[70.0,170.0],[10.0,170.0]]})");
 }
 
 TEST(JsonLines, WhatIsNotKnownIsNull) {
@@ -51,8 +52,9 @@ TEST(JsonLines, WhatIsNotKnownIsNull) {
 }
 
 TEST(JsonLines, AFrameLineNamesPictureSceneAndSize) {
-    EXPECT_EQ(linesOf(stepWith(framed()), nullptr).front(),
-              R"({"type":"frame","t":12.346,"frame":371,"name":"371.jpg","scene":14,"sharpness":21.988,"size":[640,480]})");
+    EXPECT_EQ(
+        linesOf(stepWith(framed()), nullptr).front(),
+        R"({"type":"frame","t":12.346,"frame":371,"name":"371.jpg","scene":14,"sharpness":21.988,"size":[640,480]})");
 }
 
 TEST(JsonLines, AFixLineFollowsEachFrameAndShowsItsVotes) {
@@ -66,17 +68,19 @@ TEST(JsonLines, AFixLineFollowsEachFrameAndShowsItsVotes) {
     step.fix.sigmaM = 1.5;
     step.fix.heading = fromDegrees(90.0);
     step.fix.votes = {{RegionId("leg-a"), 12.0, {{"Pobj", 3.0}, {"PID", 2.0}}, {}}};
-    EXPECT_EQ(linesOf(step, nullptr).at(1),
-              R"({"type":"fix","t":12.346,"frame":371,"region":"leg-a","confidence":0.667,"near":["leg-a","leg-b"],)"
-              R"("near_confidence":0.9,"level":0.5,"position":[1.235,0.0],"sigma_m":1.5,"heading_deg":90.0,)"
-              R"("votes":[{"region":"leg-a","vote":12.0,"terms":{"PID":2.0,"Pobj":3.0}}]})");
+    EXPECT_EQ(
+        linesOf(step, nullptr).at(1),
+        R"({"type":"fix","t":12.346,"frame":371,"region":"leg-a","confidence":0.667,"near":["leg-a","leg-b"],)"
+        R"("near_confidence":0.9,"level":0.5,"position":[1.235,0.0],"sigma_m":1.5,"heading_deg":90.0,)"
+        R"("votes":[{"region":"leg-a","vote":12.0,"terms":{"PID":2.0,"Pobj":3.0}}]})");
 }
 
 TEST(JsonLines, AnUnknownPlaceIsNullEverywhere) {
     NavigationStep step = stepWith(framed());
-    EXPECT_EQ(linesOf(step, nullptr).at(1),
-              R"({"type":"fix","t":12.346,"frame":371,"region":null,"confidence":0.0,"near":[],"near_confidence":0.0,)"
-              R"("level":null,"position":null,"sigma_m":0.0,"heading_deg":null,"votes":[]})");
+    EXPECT_EQ(
+        linesOf(step, nullptr).at(1),
+        R"({"type":"fix","t":12.346,"frame":371,"region":null,"confidence":0.0,"near":[],"near_confidence":0.0,)"
+        R"("level":null,"position":null,"sigma_m":0.0,"heading_deg":null,"votes":[]})");
     EXPECT_EQ(dumped(fixJson(step.fix)),
               R"({"t":12.346,"region":null,"confidence":0.0,"near":[],"near_confidence":0.0,)"
               R"("level":null,"position":null,"sigma_m":0.0,"heading_deg":null,"votes":[]})");
@@ -130,7 +134,8 @@ TEST(JsonLines, ACueShowsTheFieldsThatAreSet) {
     EXPECT_EQ(json["id"], 7);
     EXPECT_EQ(json["object_kind"], "extinguisher");
     EXPECT_EQ(json["zone"], "left-down");
-    for (const char* absent : {"hour", "distance_m", "manoeuvre", "region", "valid_in", "reason", "text", "route_version"})
+    for (const char* absent :
+         {"hour", "distance_m", "manoeuvre", "region", "valid_in", "reason", "text", "route_version"})
         EXPECT_FALSE(json.contains(absent)) << absent;
     cue.hour = 3;
     cue.distanceM = 2.5;
@@ -227,7 +232,8 @@ TEST(LogLines, WhatIsWrongIsSaid) {
         {R"({"t":1,"kind":5,"box":[1,2,3,4],"image":[64,48]})", "\"kind\""},
         {R"({"t":1,"kind":"door","box":[1,2,3,4],"image":[64,48],"score":2})", "\"score\""},
         {R"({"t":1,"kind":"door","box":[1,2,3,4],"image":[64,48],"frame":-1})", "\"frame\""},
-        {R"({"t":1,"kind":"door","box":[1,2,3,4],"image":[64,48],"frame":18446744073709551615})", "\"frame\""},
+        {R"({"t":1,"kind":"door","box":[1,2,3,4],"image":[64,48],"frame":18446744073709551615})",
+         "\"frame\""},
         {R"({"t":1,"kind":"door","box":[1,2,3,4],"image":[64,48],"scene":1.5})", "\"scene\""},
         {R"({"t":1,"kind":"door","box":[1,2,3,4],"image":[64,48],"quad":[[1,2],[3]]})", "\"quad\""},
         {R"({"t":1,"kind":"door","box":[1,2,3,4],"image":[64,48],"range_m":-1})", "\"range_m\""},

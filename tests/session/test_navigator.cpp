@@ -1,11 +1,9 @@
 #include "core/session/navigator.h"
-
 #include "tests/session/walk_fixture.h"
 
+#include <algorithm>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
-#include <algorithm>
 
 namespace farol::session {
 namespace {
@@ -16,10 +14,13 @@ std::unique_ptr<Navigator> navigator(const NavigatorOptions& options = {}) {
     return std::move(made).value();
 }
 
-building::Location room(const char* id) { return {RegionId(id), std::nullopt}; }
+building::Location room(const char* id) {
+    return {RegionId(id), std::nullopt};
+}
 
 bool told(const NavigationStep& step, guidance::CueKind kind) {
-    return std::any_of(step.cues.begin(), step.cues.end(), [&](const guidance::Cue& cue) { return cue.kind == kind; });
+    return std::any_of(step.cues.begin(), step.cues.end(),
+                       [&](const guidance::Cue& cue) { return cue.kind == kind; });
 }
 
 TEST(Navigator, FollowsTheWalkerFromRoomToRoom) {
@@ -44,7 +45,8 @@ TEST(Navigator, TellsTheRouteWithTheStepAfterTheDestination) {
     for (std::size_t i = 1; i < 4; ++i) {
         NavigationStep step = walk->advance(percepts[i]);
         ASSERT_TRUE(step.progress.route);
-        EXPECT_THAT(step.progress.route->regions, testing::ElementsAre(RegionId("A"), RegionId("B"), RegionId("C")));
+        EXPECT_THAT(step.progress.route->regions,
+                    testing::ElementsAre(RegionId("A"), RegionId("B"), RegionId("C")));
         routeTold = routeTold || told(step, guidance::CueKind::RouteStart);
     }
     EXPECT_TRUE(routeTold);

@@ -3,9 +3,8 @@
 #include "core/session/inbox.h"
 #include "core/session/pacer.h"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
+#include <gtest/gtest.h>
 
 namespace farol::session {
 namespace {

@@ -1,12 +1,11 @@
 #include "core/session/perception.h"
-
 #include "tests/session/walk_fixture.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <opencv2/imgproc.hpp>
 
 #include <algorithm>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
 
 namespace farol::session {
 namespace {
@@ -27,7 +26,8 @@ cv::Mat plate() {
     cv::Mat image(480, 640, CV_8UC3, cv::Scalar(150, 160, 165));
     cv::rectangle(image, cv::Rect(190, 150, 260, 120), cv::Scalar(250, 250, 250), cv::FILLED);
     cv::rectangle(image, cv::Rect(190, 150, 260, 120), cv::Scalar(20, 20, 20), 3);
-    cv::putText(image, "2.14", cv::Point(222, 235), cv::FONT_HERSHEY_DUPLEX, 2.6, cv::Scalar(10, 10, 10), 5, cv::LINE_AA);
+    cv::putText(image, "2.14", cv::Point(222, 235), cv::FONT_HERSHEY_DUPLEX, 2.6, cv::Scalar(10, 10, 10), 5,
+                cv::LINE_AA);
     return image;
 }
 

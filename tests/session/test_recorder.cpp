@@ -1,13 +1,11 @@
-#include "core/session/recorder.h"
-
 #include "core/base/file.h"
 #include "core/building/geopackage.h"
+#include "core/session/recorder.h"
 #include "tests/session/walk_fixture.h"
 
+#include <fstream>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
-#include <fstream>
 
 namespace farol::session {
 namespace {
@@ -16,16 +14,23 @@ using testing::HasSubstr;
 
 /// Commands and warnings between the frames, as a session writes them.
 std::vector<RecordEntry> eventfulWalk() {
-    std::vector<RecordEntry> entries{Command(MessageCommand{"no trained landmarks"}), Command(StartCommand{0.0, RegionId("A")}),
-                                     Command(DestinationCommand{building::Location{RegionId("C"), Point2{25.0 + 1.0 / 3.0, 2.0}}})};
+    std::vector<RecordEntry> entries{
+        Command(MessageCommand{"no trained landmarks"}), Command(StartCommand{0.0, RegionId("A")}),
+        Command(DestinationCommand{building::Location{RegionId("C"), Point2{25.0 + 1.0 / 3.0, 2.0}}})};
     for (Percept& percept : test::walkThroughTheRooms()) {
         std::uint64_t frame = percept.frame;
         entries.emplace_back(std::move(percept));
-        if (frame == 3) entries.emplace_back(Command(WarningCommand{guidance::CueReason::CameraLost, "the cable \"fell\" out"}));
+        if (frame == 3)
+            entries.emplace_back(
+                Command(WarningCommand{guidance::CueReason::CameraLost, "the cable \"fell\" out"}));
         if (frame == 4) entries.emplace_back(Command(WarningCommand{guidance::CueReason::CameraBack, ""}));
         if (frame == 6) entries.emplace_back(Command(VerbosityCommand{guidance::Verbosity::ObjectsAndTexts}));
-        if (frame == 8) entries.emplace_back(Command(MessageCommand{"9.jpg cannot be read as a picture; skipped (1 so far)"}));
-        if (frame == 10) entries.emplace_back(Command(DestinationCommand{building::Location{RegionId("D"), std::nullopt}}));
+        if (frame == 8)
+            entries.emplace_back(
+                Command(MessageCommand{"9.jpg cannot be read as a picture; skipped (1 so far)"}));
+        if (frame == 10)
+            entries.emplace_back(
+                Command(DestinationCommand{building::Location{RegionId("D"), std::nullopt}}));
         if (frame == 12) entries.emplace_back(Command(DestinationCommand{}));
         if (frame == 14) entries.emplace_back(Command(StartCommand{5.0, std::nullopt}));
     }
@@ -65,7 +70,9 @@ protected:
         return lines.text;
     }
 
-    void writeWalk(const std::string& bytes) { std::ofstream(folder / "walk.jsonl", std::ios::binary) << bytes; }
+    void writeWalk(const std::string& bytes) {
+        std::ofstream(folder / "walk.jsonl", std::ios::binary) << bytes;
+    }
 
     test::TemporaryFolder temporary;
     std::filesystem::path folder = temporary.path / "recording";
@@ -160,7 +167,8 @@ TEST_F(RecorderTest, ForeignAndLaterRecordingsAreRefused) {
     EXPECT_EQ(loadRecording(folder).error().code, ErrorCode::UnsupportedFormat);
     std::ofstream(folder / "recording.json") << "{";
     EXPECT_EQ(loadRecording(folder).error().code, ErrorCode::Corrupt);
-    std::ofstream(folder / "recording.json") << R"({"farol_recording":1,"options":{"guidance":{"verbosity":"loud"}}})";
+    std::ofstream(folder / "recording.json")
+        << R"({"farol_recording":1,"options":{"guidance":{"verbosity":"loud"}}})";
     EXPECT_EQ(loadRecording(folder).error().code, ErrorCode::Corrupt);
 }
 

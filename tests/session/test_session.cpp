@@ -1,14 +1,12 @@
 // The threads of a walk. Nothing here sleeps: sources and handlers wait for gates that the test opens.
 
-#include "core/session/navigation_session.h"
-
 #include "core/building/geopackage.h"
+#include "core/session/navigation_session.h"
 #include "tests/session/walk_fixture.h"
 
+#include <algorithm>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
-#include <algorithm>
 #include <thread>
 
 namespace farol::session {
@@ -20,7 +18,9 @@ using test::ScriptedSource;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-building::Location room(const char* id) { return {RegionId(id), std::nullopt}; }
+building::Location room(const char* id) {
+    return {RegionId(id), std::nullopt};
+}
 
 SessionOptions quickOptions() {
     SessionOptions options;
@@ -68,7 +68,8 @@ struct Walk {
 
 std::unique_ptr<NavigationSession> sessionOf(std::unique_ptr<ScriptedSource> source, Walk& walk,
                                              const SessionOptions& options = quickOptions()) {
-    auto made = NavigationSession::create(test::threeRooms(), nullptr, std::move(source), options, walk.handlers());
+    auto made =
+        NavigationSession::create(test::threeRooms(), nullptr, std::move(source), options, walk.handlers());
     EXPECT_TRUE(made) << made.error().text();
     return std::move(made).value();
 }
@@ -221,7 +222,8 @@ TEST(Session, AfterAPauseTheWalkGoesOnWhereItWas) {
     session->wait();
     session->stop();
     EXPECT_EQ(walk.frames, countTo(8));
-    EXPECT_THAT(walk.states, ElementsAre(RunState::Running, RunState::Paused, RunState::Running, RunState::Ended));
+    EXPECT_THAT(walk.states,
+                ElementsAre(RunState::Running, RunState::Paused, RunState::Running, RunState::Ended));
 }
 
 TEST(Session, CommandsGivenBeforeTheStartHoldFromTheFirstFrame) {
@@ -258,7 +260,8 @@ TEST(Session, ADestinationChosenInAPauseShowsItsRouteAtOnce) {
         std::this_thread::yield();
         shown = session->snapshot();
     } while (!shown->step.progress.route);
-    EXPECT_THAT(shown->step.progress.route->regions, ElementsAre(RegionId("A"), RegionId("B"), RegionId("C")));
+    EXPECT_THAT(shown->step.progress.route->regions,
+                ElementsAre(RegionId("A"), RegionId("B"), RegionId("C")));
     EXPECT_TRUE(shown->frame.image.empty());
     EXPECT_EQ(shown->state, RunState::Paused);
     session->stop();
@@ -343,7 +346,9 @@ TEST(Session, APictureOfAStrangeFormatDoesNotEndTheWalk) {
     Walk walk;
     auto source = std::make_unique<ScriptedSource>(4);
     source->imageOf = [](std::size_t index) {
-        return index == 1 ? cv::Mat() : index == 2 ? cv::Mat(9, 9, CV_64FC2, cv::Scalar(1)) : test::drawnFrame(index);
+        return index == 1   ? cv::Mat()
+               : index == 2 ? cv::Mat(9, 9, CV_64FC2, cv::Scalar(1))
+                            : test::drawnFrame(index);
     };
     auto session = sessionOf(std::move(source), walk);
     session->start();
@@ -421,8 +426,8 @@ TEST(Session, AUsedFolderIsRefusedBeforeTheWalk) {
     Walk walk;
     SessionOptions options = quickOptions();
     options.recordFolder = temporary.path;
-    auto made = NavigationSession::create(test::threeRooms(), nullptr, std::make_unique<ScriptedSource>(1), options,
-                                          walk.handlers());
+    auto made = NavigationSession::create(test::threeRooms(), nullptr, std::make_unique<ScriptedSource>(1),
+                                          options, walk.handlers());
     ASSERT_FALSE(made);
     EXPECT_EQ(made.error().code, ErrorCode::Conflict);
 }
@@ -431,12 +436,15 @@ TEST(Session, WhatCannotWorkIsRefused) {
     Walk walk;
     SessionOptions options = quickOptions();
     options.speed = 0.0;
-    EXPECT_FALSE(NavigationSession::create(test::threeRooms(), nullptr, std::make_unique<ScriptedSource>(1), options, {}));
+    EXPECT_FALSE(NavigationSession::create(test::threeRooms(), nullptr, std::make_unique<ScriptedSource>(1),
+                                           options, {}));
     EXPECT_FALSE(NavigationSession::create(test::threeRooms(), nullptr, nullptr, quickOptions(), {}));
-    EXPECT_FALSE(NavigationSession::create(nullptr, nullptr, std::make_unique<ScriptedSource>(1), quickOptions(), {}));
+    EXPECT_FALSE(
+        NavigationSession::create(nullptr, nullptr, std::make_unique<ScriptedSource>(1), quickOptions(), {}));
     options = quickOptions();
     options.navigator.localiser = "magic";
-    EXPECT_FALSE(NavigationSession::create(test::threeRooms(), nullptr, std::make_unique<ScriptedSource>(1), options, {}));
+    EXPECT_FALSE(NavigationSession::create(test::threeRooms(), nullptr, std::make_unique<ScriptedSource>(1),
+                                           options, {}));
 }
 
 } // namespace

@@ -1,11 +1,9 @@
 // A walk can be ended at any moment, and nothing hangs.
 
 #include "core/session/navigation_session.h"
-
 #include "tests/session/walk_fixture.h"
 
 #include <gtest/gtest.h>
-
 #include <thread>
 
 namespace farol::session {
@@ -19,7 +17,8 @@ std::unique_ptr<NavigationSession> sessionOf(std::unique_ptr<ScriptedSource> sou
     SessionOptions options;
     options.perception.landmarks = options.perception.doors = options.perception.text = false;
     options.pace = pace;
-    auto made = NavigationSession::create(test::threeRooms(), nullptr, std::move(source), options, std::move(handlers));
+    auto made = NavigationSession::create(test::threeRooms(), nullptr, std::move(source), options,
+                                          std::move(handlers));
     EXPECT_TRUE(made);
     return std::move(made).value();
 }

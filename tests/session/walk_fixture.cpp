@@ -97,7 +97,9 @@ std::vector<session::Percept> walkThroughTheRooms() {
             percept.detections.back().rangeM = 2.0 / 3.0;
             percept.detections.back().bearing = Radians{-0.1};
         }
-        if (i == 4) percept.rejections.push_back({"landmarks", Kind::Poster, TemplateId("poster"), Quad{}, "few_inliers", 3.0});
+        if (i == 4)
+            percept.rejections.push_back(
+                {"landmarks", Kind::Poster, TemplateId("poster"), Quad{}, "few_inliers", 3.0});
         if (i == 5) percept.motion = {Radians{0.1 / 3.0}, 0.7};
         walk.push_back(std::move(percept));
     }
@@ -105,7 +107,8 @@ std::vector<session::Percept> walkThroughTheRooms() {
 }
 
 void Lines::step(const session::NavigationStep& step) {
-    for (std::string& line : session::linesOf(step, m_before ? &*m_before : nullptr)) text.push_back(std::move(line));
+    for (std::string& line : session::linesOf(step, m_before ? &*m_before : nullptr))
+        text.push_back(std::move(line));
     m_before = step.progress;
 }
 
@@ -113,7 +116,9 @@ session::ReplayHandlers Lines::handlers() {
     session::ReplayHandlers handlers;
     handlers.step = [this](const session::NavigationStep& one) { step(one); };
     handlers.warning = [this](const guidance::Cue& cue) { warning(cue); };
-    handlers.message = [this](double time, std::uint64_t frame, const std::string& words) { message(time, frame, words); };
+    handlers.message = [this](double time, std::uint64_t frame, const std::string& words) {
+        message(time, frame, words);
+    };
     return handlers;
 }
 

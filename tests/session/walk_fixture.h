@@ -29,14 +29,16 @@ private:
     bool m_open = false;
 };
 
-/// Frames 0, 1, 2... of a given number; before each, `before(index)` runs on the capture thread and may wait on gates,
-/// or tell() something. `index == frames` is the call that answers the end.
+/// Frames 0, 1, 2... of a given number; before each, `before(index)` runs on the capture thread and may wait
+/// on gates, or tell() something. `index == frames` is the call that answers the end.
 class ScriptedSource final : public capture::FrameSource {
 public:
     explicit ScriptedSource(std::size_t frames, bool live = false) : m_frames(frames), m_live(live) {}
 
     std::function<void(std::size_t)> before;
-    std::function<double(std::size_t)> timeOf = [](std::size_t index) { return 0.5 * static_cast<double>(index); };
+    std::function<double(std::size_t)> timeOf = [](std::size_t index) {
+        return 0.5 * static_cast<double>(index);
+    };
     std::function<cv::Mat(std::size_t)> imageOf;
 
     std::optional<capture::Frame> next() override;
@@ -89,7 +91,8 @@ public:
     std::filesystem::path path;
 };
 
-/// While it lives, no file of this process may grow beyond so many bytes: what a full disk looks like to a writer.
+/// While it lives, no file of this process may grow beyond so many bytes: what a full disk looks like to a
+/// writer.
 class SmallFilesOnly {
 public:
     explicit SmallFilesOnly(unsigned long bytes);

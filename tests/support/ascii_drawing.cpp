@@ -13,10 +13,16 @@ namespace {
 constexpr std::string_view kWalls = "+-|#";
 constexpr std::string_view kAccesses = "/*%:><^v";
 
-bool isUpper(char c) { return c >= 'A' && c <= 'Z'; }
-bool isSpot(char c) { return (c >= 'a' && c <= 'z' && c != 'v') || (c >= '0' && c <= '9'); }
+bool isUpper(char c) {
+    return c >= 'A' && c <= 'Z';
+}
+bool isSpot(char c) {
+    return (c >= 'a' && c <= 'z' && c != 'v') || (c >= '0' && c <= '9');
+}
 
-[[noreturn]] void wrong(const std::string& reason) { throw std::invalid_argument("ASCII map: " + reason); }
+[[noreturn]] void wrong(const std::string& reason) {
+    throw std::invalid_argument("ASCII map: " + reason);
+}
 
 std::string place(AsciiDrawing::Cell cell) {
     return " (line " + std::to_string(cell.row + 1) + ", column " + std::to_string(cell.column + 1) + ")";
@@ -35,8 +41,10 @@ AsciiDrawing::AsciiDrawing(std::string_view drawing, double cellM) : m_cellM(cel
 void AsciiDrawing::readRows(std::string_view drawing) {
     std::vector<std::string> lines(1);
     for (char c : drawing) {
-        if (c == '\n') lines.emplace_back();
-        else lines.back().push_back(c);
+        if (c == '\n')
+            lines.emplace_back();
+        else
+            lines.back().push_back(c);
     }
     std::size_t indent = std::string::npos;
     std::size_t width = 0;
@@ -47,8 +55,10 @@ void AsciiDrawing::readRows(std::string_view drawing) {
         width = std::max(width, line.size());
     }
     if (width == 0) wrong("the drawing is empty");
-    auto first = std::find_if(lines.begin(), lines.end(), [](const std::string& line) { return !line.empty(); });
-    auto last = std::find_if(lines.rbegin(), lines.rend(), [](const std::string& line) { return !line.empty(); });
+    auto first =
+        std::find_if(lines.begin(), lines.end(), [](const std::string& line) { return !line.empty(); });
+    auto last =
+        std::find_if(lines.rbegin(), lines.rend(), [](const std::string& line) { return !line.empty(); });
     for (auto it = first; it != last.base(); ++it) {
         it->resize(width, ' ');
         m_rows.push_back(it->substr(indent));
@@ -74,7 +84,8 @@ bool AsciiDrawing::isFloor(Cell cell) const {
     char c = character(cell);
     if (c == '\0' || kWalls.find(c) != std::string_view::npos || kAccesses.find(c) != std::string_view::npos)
         return false;
-    if (c != ' ' && !isUpper(c) && !isSpot(c)) wrong(std::string("unknown character '") + c + "'" + place(cell));
+    if (c != ' ' && !isUpper(c) && !isSpot(c))
+        wrong(std::string("unknown character '") + c + "'" + place(cell));
     return true;
 }
 
@@ -92,8 +103,10 @@ void AsciiDrawing::fill(Cell start) {
         if (isUpper(character(cell)) && character(cell) != letter)
             wrong(std::string("no wall between ") + letter + " and " + character(cell) + place(cell));
         m_rooms[static_cast<std::size_t>(cell.row)][static_cast<std::size_t>(cell.column)] = letter;
-        open.insert(open.end(), {{cell.column + 1, cell.row}, {cell.column - 1, cell.row},
-                                 {cell.column, cell.row + 1}, {cell.column, cell.row - 1}});
+        open.insert(open.end(), {{cell.column + 1, cell.row},
+                                 {cell.column - 1, cell.row},
+                                 {cell.column, cell.row + 1},
+                                 {cell.column, cell.row - 1}});
     }
 }
 
@@ -103,14 +116,15 @@ char AsciiDrawing::squareRoom(int column, int row) const {
     for (Cell cell : {Cell{column, row}, {column + 1, row}, {column, row + 1}, {column + 1, row + 1}}) {
         char found = roomAt(cell);
         if (found == '\0' || found == room) continue;
-        if (room != '\0') wrong(std::string("rooms ") + room + " and " + found + " meet at a corner" + place(cell));
+        if (room != '\0')
+            wrong(std::string("rooms ") + room + " and " + found + " meet at a corner" + place(cell));
         room = found;
     }
     return room;
 }
 
 std::vector<Ring> AsciiDrawing::trace(char letter) const {
-    using Corner = std::pair<int, int>; // column, row up
+    using Corner = std::pair<int, int>;        // column, row up
     std::set<std::pair<Corner, Corner>> edges; // counter-clockwise round each square; inner ones cancel out
     int height = static_cast<int>(m_rows.size());
     for (int row = 0; row + 1 < height; ++row) {
@@ -151,9 +165,12 @@ std::vector<Ring> AsciiDrawing::trace(char letter) const {
 Polygon AsciiDrawing::outline(char letter) const {
     Polygon polygon;
     for (Ring& ring : trace(letter)) {
-        if (signedArea(ring) < 0.0) polygon.holes.push_back(std::move(ring));
-        else if (polygon.outer.empty()) polygon.outer = std::move(ring);
-        else wrong(std::string("room ") + letter + " falls into two parts");
+        if (signedArea(ring) < 0.0)
+            polygon.holes.push_back(std::move(ring));
+        else if (polygon.outer.empty())
+            polygon.outer = std::move(ring);
+        else
+            wrong(std::string("room ") + letter + " falls into two parts");
     }
     return polygon;
 }

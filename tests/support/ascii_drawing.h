@@ -15,8 +15,8 @@ public:
         int column;
         int row;
     };
-    /// One run of equal access characters; `first` and `second` are the letters of the rooms on both sides, west or
-    /// north first.
+    /// One run of equal access characters; `first` and `second` are the letters of the rooms on both sides,
+    /// west or north first.
     struct Opening {
         char character;
         char first;

@@ -19,7 +19,8 @@ AccessId freeId(const building::BuildingData& data, char a, char b) {
     std::string base = std::string(1, a) + "-" + b;
     for (int number = 1;; ++number) {
         AccessId id(number == 1 ? base : base + std::to_string(number));
-        if (std::none_of(data.accesses.begin(), data.accesses.end(), [&](const Access& each) { return each.id == id; }))
+        if (std::none_of(data.accesses.begin(), data.accesses.end(),
+                         [&](const Access& each) { return each.id == id; }))
             return id;
     }
 }
@@ -51,7 +52,8 @@ AsciiMap& AsciiMap::floor(std::string_view drawing, double level) {
         building::Region region;
         region.id = RegionId(std::string(1, letter));
         for (const building::Region& other : m_data.regions)
-            if (other.id == region.id) throw std::invalid_argument("ASCII map: two levels have a room " + other.name);
+            if (other.id == region.id)
+                throw std::invalid_argument("ASCII map: two levels have a room " + other.name);
         region.level = level;
         region.name = region.id.value;
         region.kind = building::RegionKind::Room;
@@ -66,7 +68,8 @@ AsciiMap& AsciiMap::floor(std::string_view drawing, double level) {
     for (AsciiDrawing::Cell cell : picture.spots()) {
         char room = picture.roomAt(cell);
         if (room == '\0') continue;
-        m_spots.push_back({picture.character(cell), {RegionId(std::string(1, room)), picture.position(cell)}, level});
+        m_spots.push_back(
+            {picture.character(cell), {RegionId(std::string(1, room)), picture.position(cell)}, level});
     }
     return *this;
 }
@@ -91,7 +94,8 @@ AsciiMap& AsciiMap::landmark(char character, AsciiLandmark about) {
     return *this;
 }
 
-AsciiMap& AsciiMap::join(AccessKind kind, char a, char b, const std::string& shaft, std::optional<int> steps) {
+AsciiMap& AsciiMap::join(AccessKind kind, char a, char b, const std::string& shaft,
+                         std::optional<int> steps) {
     if (b < a) std::swap(a, b);
     const building::Region& first = regionOf(a);
     Access access;
@@ -115,7 +119,8 @@ building::BuildingData AsciiMap::data() const {
         if (about == m_landmarks.end()) continue;
         int number = ++counts[spot.character];
         building::Landmark landmark;
-        landmark.id = LandmarkId(std::string(1, spot.character) + (number == 1 ? "" : std::to_string(number)));
+        landmark.id =
+            LandmarkId(std::string(1, spot.character) + (number == 1 ? "" : std::to_string(number)));
         landmark.kind = about->second.kind;
         landmark.text = about->second.text;
         landmark.templateId = TemplateId(about->second.templateId);

@@ -1,6 +1,6 @@
 #pragma once
-// A building from a drawing. Every character is one cell (1 m unless said otherwise); walls are lines through the
-// middle of their characters, so two rooms share the wall between them and a door lies exactly on it.
+// A building from a drawing. Every character is one cell (1 m unless said otherwise); walls are lines through
+// the middle of their characters, so two rooms share the wall between them and a door lies exactly on it.
 //
 //     auto map = AsciiMap()
 //         .floor(R"(
@@ -15,7 +15,8 @@
 //     auto building = map.build();         // regions "A", "B", "C"; accesses "A-B", "A-C"; landmark "e"
 //     auto start = map.spot('1');          // region "A" and the position of the 1
 //
-//   A..Z        a region: one letter anywhere inside, or as many of the same as one likes. Its id and name are the letter.
+//   A..Z        a region: one letter anywhere inside, or as many of the same as one likes. Its id and name
+//   are the letter.
 //   + - | #     wall. Two by two # (or more) within a room stand for a column of 1 m x 1 m.
 //   /           door        *  closed door      %  window
 //   :           opening; several in a row are one wide opening (so are several of the other characters)
@@ -23,9 +24,10 @@
 //   a..z 0..9   a spot within a room: a landmark once landmark() describes it, else only a place for spot()
 //   space       floor within a room, nothing outside
 //
-// Access ids are "A-B", letters in alphabetical order (regionA is the first), then "A-B2", "A-B3" from top to bottom and
-// left to right. Repeated landmarks are "e", "e2", ... The lower left character of a drawing stands at (0, 0), y is
-// up (north). Wrong drawings (a room that leaks, two letters in one room) throw std::invalid_argument with the reason.
+// Access ids are "A-B", letters in alphabetical order (regionA is the first), then "A-B2", "A-B3" from top to
+// bottom and left to right. Repeated landmarks are "e", "e2", ... The lower left character of a drawing
+// stands at (0, 0), y is up (north). Wrong drawings (a room that leaks, two letters in one room) throw
+// std::invalid_argument with the reason.
 
 #include "core/building/building.h"
 #include "core/building/info.h"
@@ -63,7 +65,8 @@ public:
     /// Says more about a region that is drawn.
     AsciiMap& region(char letter, AsciiRegion about);
     AsciiMap& landmark(char character, AsciiLandmark about);
-    /// Joins two regions of different levels, at the middle of the lower letter's region. Id "S-T" as for doors.
+    /// Joins two regions of different levels, at the middle of the lower letter's region. Id "S-T" as for
+    /// doors.
     AsciiMap& join(building::AccessKind kind, char a, char b, const std::string& shaft = {},
                    std::optional<int> steps = std::nullopt);
 

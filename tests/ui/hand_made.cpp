@@ -10,8 +10,8 @@ Polygon box(double left, double bottom, double right, double top) {
     return {{{left, bottom}, {right, bottom}, {right, top}, {left, top}}, {}};
 }
 
-building::Region region(const char* id, const char* name, const char* ref, double level, building::RegionKind kind,
-                        Polygon polygon) {
+building::Region region(const char* id, const char* name, const char* ref, double level,
+                        building::RegionKind kind, Polygon polygon) {
     building::Region made;
     made.id = RegionId(id);
     made.name = name;
@@ -22,7 +22,8 @@ building::Region region(const char* id, const char* name, const char* ref, doubl
     return made;
 }
 
-building::Access access(const char* id, building::AccessKind kind, const char* a, const char* b, Polyline line) {
+building::Access access(const char* id, building::AccessKind kind, const char* a, const char* b,
+                        Polyline line) {
     building::Access made;
     made.id = AccessId(id);
     made.kind = kind;
@@ -130,8 +131,10 @@ void FakeVoice::say(const QString& /*text*/) {
     QMetaObject::invokeMethod(
         this,
         [this] {
-            if (m_works) Q_EMIT finished();
-            else Q_EMIT failed(QStringLiteral("the fake voice is hoarse"));
+            if (m_works)
+                Q_EMIT finished();
+            else
+                Q_EMIT failed(QStringLiteral("the fake voice is hoarse"));
         },
         Qt::QueuedConnection);
 }

@@ -11,8 +11,8 @@
 
 namespace farol::ui::test {
 
-/// Two floors: on 0 a corridor "Main corridor" (10 x 2 m) with "Room 1" and "Café" above it and a stairwell; on 1 a
-/// "Library". Doors, stairs, two landmarks, a wall.
+/// Two floors: on 0 a corridor "Main corridor" (10 x 2 m) with "Room 1" and "Café" above it and a stairwell;
+/// on 1 a "Library". Doors, stairs, two landmarks, a wall.
 std::shared_ptr<const building::Building> handMadeBuilding();
 /// In the corridor of that building, on the way to the library, with a door in the picture.
 std::shared_ptr<const session::Snapshot> handMadeSnapshot();

@@ -100,15 +100,20 @@ void addManoeuvres(std::vector<NamedCue>& list, CueKind kind, const QString& wor
     add("door left, then right", then(door, at(ManoeuvreKind::Turn, -90)), true);
     add("door ahead, straight", with(cueOf(kind, at(ManoeuvreKind::Door, 5), "Library"), 12, 3.0), true);
     add("door without a name", cueOf(kind, at(ManoeuvreKind::Door, -90)));
-    add("door, then arrive", then(cueOf(kind, at(ManoeuvreKind::Door, 0), "Library"), at(ManoeuvreKind::Arrive)));
+    add("door, then arrive",
+        then(cueOf(kind, at(ManoeuvreKind::Door, 0), "Library"), at(ManoeuvreKind::Arrive)));
     add("turn, then arrive", then(cueOf(kind, at(ManoeuvreKind::Turn, 90)), at(ManoeuvreKind::Arrive)));
-    add("stairs up, then arrive", then(toLevel(cueOf(kind, at(ManoeuvreKind::Stairs, 0, Vertical::Up, 9), "Library"), "2"),
-                                       at(ManoeuvreKind::Arrive)));
+    add("stairs up, then arrive",
+        then(toLevel(cueOf(kind, at(ManoeuvreKind::Stairs, 0, Vertical::Up, 9), "Library"), "2"),
+             at(ManoeuvreKind::Arrive)));
     add("opening", cueOf(kind, at(ManoeuvreKind::Opening, 0), "Hall"));
     add("opening slightly right, unsure", unsure(cueOf(kind, at(ManoeuvreKind::Opening, -35), "Hall")), true);
-    add("opening, then door", then(cueOf(kind, at(ManoeuvreKind::Opening, 90), "Hall"), at(ManoeuvreKind::Door, -90)));
-    add("stairs up", toLevel(cueOf(kind, at(ManoeuvreKind::Stairs, 170, Vertical::Up, 9), "Corridor 2"), "2"));
-    add("stairs down, long", toLevel(cueOf(kind, at(ManoeuvreKind::Stairs, 0, Vertical::Down, 13)), "Floor 0"));
+    add("opening, then door",
+        then(cueOf(kind, at(ManoeuvreKind::Opening, 90), "Hall"), at(ManoeuvreKind::Door, -90)));
+    add("stairs up",
+        toLevel(cueOf(kind, at(ManoeuvreKind::Stairs, 170, Vertical::Up, 9), "Corridor 2"), "2"));
+    add("stairs down, long",
+        toLevel(cueOf(kind, at(ManoeuvreKind::Stairs, 0, Vertical::Down, 13)), "Floor 0"));
     add("stairs down, one step", with(cueOf(kind, at(ManoeuvreKind::Stairs, 0, Vertical::Down, 1)), 12));
     add("stairs up, unsure", unsure(cueOf(kind, at(ManoeuvreKind::Stairs, 0, Vertical::Up))));
     add("stairs, direction unknown", cueOf(kind, at(ManoeuvreKind::Stairs)));
@@ -117,10 +122,12 @@ void addManoeuvres(std::vector<NamedCue>& list, CueKind kind, const QString& wor
         with(toLevel(cueOf(kind, at(ManoeuvreKind::Elevator, 0, Vertical::Down)), "-1"), 4));
     add("lift, unsure", unsure(cueOf(kind, at(ManoeuvreKind::Elevator))));
     add("escalator up", toLevel(cueOf(kind, at(ManoeuvreKind::Escalator, 0, Vertical::Up), "Shops"), "1"));
-    add("escalator down, unsure", unsure(with(cueOf(kind, at(ManoeuvreKind::Escalator, 0, Vertical::Down)), 6)), true);
+    add("escalator down, unsure",
+        unsure(with(cueOf(kind, at(ManoeuvreKind::Escalator, 0, Vertical::Down)), 6)), true);
     add("escalator, direction unknown", cueOf(kind, at(ManoeuvreKind::Escalator)));
     add("ramp up", cueOf(kind, at(ManoeuvreKind::Ramp, 0, Vertical::Up), "Gallery"));
-    add("ramp down", with(cueOf(kind, at(ManoeuvreKind::Ramp, 90, Vertical::Down), "Gallery"), 1, 12.0), true);
+    add("ramp down", with(cueOf(kind, at(ManoeuvreKind::Ramp, 90, Vertical::Down), "Gallery"), 1, 12.0),
+        true);
     add("ramp, level", cueOf(kind, at(ManoeuvreKind::Ramp, 90), "Gallery"));
     add("turn slightly left", cueOf(kind, at(ManoeuvreKind::Turn, 40)), true);
     add("turn left", cueOf(kind, at(ManoeuvreKind::Turn, 90)), true);
@@ -130,8 +137,8 @@ void addManoeuvres(std::vector<NamedCue>& list, CueKind kind, const QString& wor
     add("turn right", with(cueOf(kind, at(ManoeuvreKind::Turn, -90)), std::nullopt, 23.0), true);
     add("turn slightly right", cueOf(kind, at(ManoeuvreKind::Turn, -40)), true);
     add("straight on", cueOf(kind, at(ManoeuvreKind::Turn, 3)), true);
-    add("turn left, then stairs", then(cueOf(kind, at(ManoeuvreKind::Turn, 90)),
-                                       at(ManoeuvreKind::Stairs, 0, Vertical::Down)));
+    add("turn left, then stairs",
+        then(cueOf(kind, at(ManoeuvreKind::Turn, 90)), at(ManoeuvreKind::Stairs, 0, Vertical::Down)));
     add("turn right, unsure", unsure(cueOf(kind, at(ManoeuvreKind::Turn, -90))));
     add("start", cueOf(kind, at(ManoeuvreKind::Start)));
     add("arrive", cueOf(kind, at(ManoeuvreKind::Arrive), "Library"));
@@ -155,19 +162,24 @@ void addState(std::vector<NamedCue>& list) {
     list.push_back({"arrived, no name", cueOf(CueKind::Arrived), false});
     list.push_back({"off route", cueOf(CueKind::OffRoute), false});
     list.push_back({"off route, unsure", unsure(cueOf(CueKind::OffRoute)), false});
-    list.push_back({"off route, new way", with(cueOf(CueKind::OffRoute, at(ManoeuvreKind::Door, -90), "Hall"), 5), true});
+    list.push_back({"off route, new way",
+                    with(cueOf(CueKind::OffRoute, at(ManoeuvreKind::Door, -90), "Hall"), 5), true});
     Cue back = cueOf(CueKind::OffRoute, at(ManoeuvreKind::Opening, -90), "Hall");
     back.turnFirst = fromDegrees(-175);
     list.push_back({"off route, new way behind", back, false});
-    list.push_back({"off route, new way, turn", cueOf(CueKind::OffRoute, at(ManoeuvreKind::Turn, 180)), false});
-    list.push_back({"off route, no way", about(CueKind::OffRoute, "Library", CueReason::DestinationUnreachable), false});
+    list.push_back(
+        {"off route, new way, turn", cueOf(CueKind::OffRoute, at(ManoeuvreKind::Turn, 180)), false});
+    list.push_back(
+        {"off route, no way", about(CueKind::OffRoute, "Library", CueReason::DestinationUnreachable), false});
     list.push_back({"unsure", cueOf(CueKind::Unsure), false});
     list.push_back({"located", about(CueKind::Located, "Corridor B"), false});
     list.push_back({"located, level", toLevel(about(CueKind::Located, "Corridor B"), "-1"), false});
     list.push_back({"located, unsure", unsure(about(CueKind::Located, "Corridor B")), false});
     list.push_back({"located, nowhere", cueOf(CueKind::Located), false});
-    list.push_back({"no route, unknown", about(CueKind::NoRoute, "Bar", CueReason::DestinationUnknown), false});
-    list.push_back({"no route, unknown, no name", about(CueKind::NoRoute, "", CueReason::DestinationUnknown), false});
+    list.push_back(
+        {"no route, unknown", about(CueKind::NoRoute, "Bar", CueReason::DestinationUnknown), false});
+    list.push_back(
+        {"no route, unknown, no name", about(CueKind::NoRoute, "", CueReason::DestinationUnknown), false});
     list.push_back({"no route", about(CueKind::NoRoute, "Bar", CueReason::DestinationUnreachable), false});
     list.push_back({"no route, no name", cueOf(CueKind::NoRoute), false});
     list.push_back({"already there", about(CueKind::AlreadyThere, "Library"), false});
@@ -193,7 +205,8 @@ void addDetections(std::vector<NamedCue>& list) {
     Cue text = seen(Kind::Text, {Column::Left, Row::Up}, "Library.");
     text.kind = CueKind::Text;
     list.push_back({"text", text, false});
-    text.text = "Please close the fire door behind you at all times and keep the escape route clear of furniture";
+    text.text =
+        "Please close the fire door behind you at all times and keep the escape route clear of furniture";
     list.push_back({"text, a notice", text, false});
 }
 

@@ -12,7 +12,9 @@ class StuckEngine : public QTextToSpeechEngine {
 public:
     using QTextToSpeechEngine::QTextToSpeechEngine;
 
-    QList<QLocale> availableLocales() const override { return {QLocale(QLocale::English, QLocale::UnitedKingdom)}; }
+    QList<QLocale> availableLocales() const override {
+        return {QLocale(QLocale::English, QLocale::UnitedKingdom)};
+    }
     QList<QVoice> availableVoices() const override { return {}; }
     void say(const QString& text) override {
         set(QTextToSpeech::Speaking);
@@ -54,7 +56,8 @@ class StuckPlugin : public QObject, public QTextToSpeechPlugin {
     Q_PLUGIN_METADATA(IID "org.qt-project.qt.speech.tts.plugin/6.0" FILE "stuck_engine.json")
 
 public:
-    QTextToSpeechEngine* createTextToSpeechEngine(const QVariantMap&, QObject* parent, QString*) const override {
+    QTextToSpeechEngine* createTextToSpeechEngine(const QVariantMap&, QObject* parent,
+                                                  QString*) const override {
         return new farol::test::StuckEngine(parent);
     }
 };

@@ -56,7 +56,8 @@ private:
 void LiveTest::init() {
     m_settings = std::make_unique<Settings>(m_folder.filePath(QStringLiteral("settings.ini")));
     m_walk = std::make_unique<Walk>();
-    m_speech = std::make_unique<SpeechDesk>(*m_settings, [](const VoiceChoice&) { return std::make_unique<test::FakeVoice>(false); });
+    m_speech = std::make_unique<SpeechDesk>(
+        *m_settings, [](const VoiceChoice&) { return std::make_unique<test::FakeVoice>(false); });
     m_page = std::make_unique<LivePage>(*m_walk, *m_speech, *m_settings);
     m_page->resize(1200, 760);
 }
@@ -92,7 +93,7 @@ void LiveTest::anEmptyPageSaysWhatToDo() {
     QVERIFY(!m_page->instruction().sentence().isEmpty());
     QVERIFY(!m_page->mapPanel().whereText().isEmpty());
     QVERIFY(!m_page->framePanel().view().accessibleDescription().isEmpty());
-    QVERIFY(!chooser().isEnabled()); // there is nothing to choose from
+    QVERIFY(!chooser().isEnabled());                    // there is nothing to choose from
     auto empty = std::make_shared<session::Snapshot>(); // news before the first picture
     m_page->show(empty);
     QCOMPARE(m_page->framesShown(), 0);
@@ -193,7 +194,8 @@ void LiveTest::aFailingVoiceIsVisible() {
     QVERIFY(m_page->instruction().voiceText().contains(QLatin1String("hoarse")));
     QTRY_COMPARE(m_page->utterances().rowCount(), 1);
     QTRY_COMPARE(m_page->utterances().at(0).state, UtteranceState::Shown);
-    QCOMPARE(m_page->instruction().sentence(), m_page->utterances().at(0).text); // never silence without a word
+    QCOMPARE(m_page->instruction().sentence(),
+             m_page->utterances().at(0).text); // never silence without a word
 }
 
 void LiveTest::anOldSentenceDoesNotLookLikeAnOrder() {
@@ -229,7 +231,8 @@ void LiveTest::everyLabelIsReadable() {
         palette = QPalette(QColor(0x2b2f36));
         palette.setColor(QPalette::Base, QColor(0x1e2126));
         palette.setColor(QPalette::AlternateBase, QColor(0x262a30));
-        for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText}) palette.setColor(role, QColor(0xf0f2f5));
+        for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
+            palette.setColor(role, QColor(0xf0f2f5));
     }
     QApplication::setPalette(palette);
     m_page->ensurePolished();
@@ -237,18 +240,21 @@ void LiveTest::everyLabelIsReadable() {
     m_page->show(test::handMadeSnapshot());
     m_page->instruction().setVoice(QStringLiteral("broken"), true);
     for (const BannerKind kind : {BannerKind::Note, BannerKind::Warning, BannerKind::Problem})
-        m_page->banners().show(QString::number(static_cast<int>(kind)), {kind, QStringLiteral("Something is to be told."), {}, {}, true});
+        m_page->banners().show(QString::number(static_cast<int>(kind)),
+                               {kind, QStringLiteral("Something is to be told."), {}, {}, true});
     m_page->QWidget::show(); // palettes reach a window when it is shown
     QCoreApplication::processEvents();
     for (const QLabel* label : m_page->findChildren<QLabel*>()) {
         if (!label->isVisibleTo(m_page.get()) || !label->isEnabled()) continue;
         const auto* banner = qobject_cast<const Banner*>(label->parentWidget());
-        const QColor back = banner ? banner->palette().color(QPalette::Window) : palette.color(QPalette::Window);
+        const QColor back =
+            banner ? banner->palette().color(QPalette::Window) : palette.color(QPalette::Window);
         const double ratio = contrast(label->palette().color(QPalette::Active, QPalette::WindowText), back);
         QVERIFY2(ratio >= 4.5, qPrintable(QStringLiteral("%1: %2").arg(label->text()).arg(ratio)));
     }
     if (qEnvironmentVariableIsSet("FAROL_SHOTS"))
-        m_page->grab().save(qEnvironmentVariable("FAROL_SHOTS") + (dark ? QStringLiteral("/dark.png") : QStringLiteral("/light.png")));
+        m_page->grab().save(qEnvironmentVariable("FAROL_SHOTS") +
+                            (dark ? QStringLiteral("/dark.png") : QStringLiteral("/light.png")));
     QApplication::setPalette(before);
 }
 
@@ -256,7 +262,8 @@ void LiveTest::aBannerIsReplacedAndClosed() {
     BannerStack& banners = m_page->banners();
     int acted = 0;
     banners.show(QStringLiteral("x"), {BannerKind::Problem, QStringLiteral("one"), {}, {}, true});
-    banners.show(QStringLiteral("x"), {BannerKind::Problem, QStringLiteral("two"), QStringLiteral("Act"), [&] { ++acted; }, true});
+    banners.show(QStringLiteral("x"),
+                 {BannerKind::Problem, QStringLiteral("two"), QStringLiteral("Act"), [&] { ++acted; }, true});
     QCOMPARE(banners.text(QStringLiteral("x")), QStringLiteral("two"));
     auto* banner = banners.findChild<Banner*>();
     banner->findChild<QPushButton*>()->click();

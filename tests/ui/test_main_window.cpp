@@ -1,4 +1,5 @@
-// The whole window: a walk from beginning to end with made pictures, bad input, languages, keyboard and names.
+// The whole window: a walk from beginning to end with made pictures, bad input, languages, keyboard and
+// names.
 
 #include "core/building/geopackage.h"
 #include "tests/ui/hand_made.h"
@@ -85,13 +86,14 @@ void MainWindowTest::cleanup() {
 
 void MainWindowTest::make(std::uint64_t frames, double period) {
     m_window.reset();
-    const auto open = [frames, period](const std::string& name,
-                                       const capture::SourceOptions&) -> Result<std::unique_ptr<capture::FrameSource>> {
+    const auto open =
+        [frames, period](const std::string& name,
+                         const capture::SourceOptions&) -> Result<std::unique_ptr<capture::FrameSource>> {
         if (name == "broken") return Error{ErrorCode::Unavailable, "there is no such camera", name};
         return std::unique_ptr<capture::FrameSource>(std::make_unique<test::FakeSource>(frames, period));
     };
-    m_window = std::make_unique<MainWindow>(*m_settings, open,
-                                            [](const VoiceChoice&) { return std::make_unique<test::FakeVoice>(); });
+    m_window = std::make_unique<MainWindow>(
+        *m_settings, open, [](const VoiceChoice&) { return std::make_unique<test::FakeVoice>(); });
 }
 
 StartOptions MainWindowTest::options() const {
@@ -224,8 +226,9 @@ static bool isInner(const QWidget* widget) {
     if (widget->objectName().startsWith(QLatin1String("qt_"))) return true;
     if (qobject_cast<const QScrollBar*>(widget) || qobject_cast<const QSplitterHandle*>(widget)) return true;
     for (const QWidget* up = widget->parentWidget(); up; up = up->parentWidget())
-        if (qobject_cast<const QLineEdit*>(up) || qobject_cast<const QComboBox*>(up) || qobject_cast<const QMenuBar*>(up) ||
-            qobject_cast<const QTabBar*>(up) || qobject_cast<const QAbstractScrollArea*>(up))
+        if (qobject_cast<const QLineEdit*>(up) || qobject_cast<const QComboBox*>(up) ||
+            qobject_cast<const QMenuBar*>(up) || qobject_cast<const QTabBar*>(up) ||
+            qobject_cast<const QAbstractScrollArea*>(up))
             return true;
     return qobject_cast<const QMenuBar*>(widget);
 }
@@ -233,12 +236,16 @@ static bool isInner(const QWidget* widget) {
 static QStringList nameless(const QWidget& root) {
     QStringList missing;
     for (const QWidget* widget : root.findChildren<QWidget*>()) {
-        const bool acts = widget->focusPolicy() != Qt::NoFocus || qobject_cast<const QAbstractButton*>(widget);
+        const bool acts =
+            widget->focusPolicy() != Qt::NoFocus || qobject_cast<const QAbstractButton*>(widget);
         if (!acts || isInner(widget) || !widget->isVisibleTo(&root)) continue;
-        QAccessibleInterface* accessible = QAccessible::queryAccessibleInterface(const_cast<QWidget*>(widget));
+        QAccessibleInterface* accessible =
+            QAccessible::queryAccessibleInterface(const_cast<QWidget*>(widget));
         if (!accessible || accessible->text(QAccessible::Name).trimmed().isEmpty())
-            missing << QStringLiteral("%1 %2").arg(QLatin1String(widget->metaObject()->className()), widget->objectName());
-        else if (widget->toolTip().isEmpty() && root.isWindow() && root.inherits("QMainWindow") && !qobject_cast<const QTabBar*>(widget))
+            missing << QStringLiteral("%1 %2").arg(QLatin1String(widget->metaObject()->className()),
+                                                   widget->objectName());
+        else if (widget->toolTip().isEmpty() && root.isWindow() && root.inherits("QMainWindow") &&
+                 !qobject_cast<const QTabBar*>(widget))
             missing << QStringLiteral("no tool tip: %1").arg(accessible->text(QAccessible::Name));
     }
     return missing;
@@ -246,7 +253,8 @@ static QStringList nameless(const QWidget& root) {
 
 void MainWindowTest::everyControlHasAName() {
     m_window->begin(options());
-    QTRY_COMPARE_WITH_TIMEOUT(m_window->walk().state(), session::RunState::Ended, 60000); // with all its banners
+    QTRY_COMPARE_WITH_TIMEOUT(m_window->walk().state(), session::RunState::Ended,
+                              60000); // with all its banners
     QCOMPARE(nameless(*m_window).join(QStringLiteral(", ")), QString());
 }
 
@@ -254,7 +262,8 @@ void MainWindowTest::everyCommandHasWordsInBothLanguages() {
     const auto texts = [this] {
         QStringList all;
         for (const QAction* action : m_window->findChildren<QAction*>())
-            if (action->parent() == m_window.get() && !action->isSeparator()) all << action->text() << action->toolTip();
+            if (action->parent() == m_window.get() && !action->isSeparator())
+                all << action->text() << action->toolTip();
         return all;
     };
     const QStringList english = texts();
@@ -288,7 +297,8 @@ void MainWindowTest::tabGoesRound() {
         QWidget* focus = QApplication::focusWidget();
         QVERIFY(focus);
         if (i > 0 && focus == first) break;
-        QVERIFY2(!visited.contains(focus), focus->metaObject()->className()); // no circle that leaves others out
+        QVERIFY2(!visited.contains(focus),
+                 focus->metaObject()->className()); // no circle that leaves others out
         visited << focus;
         QTest::keyClick(focus, Qt::Key_Tab);
     }

@@ -205,7 +205,8 @@ void MapTest::textIsReadableOnEveryTint_data() {
 void MapTest::textIsReadableOnEveryTint() {
     QFETCH(bool, dark);
     const MapColours colours = MapColours::of(dark);
-    for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0}) QVERIFY(contrast(colours.text, colours.heat(share)) >= 4.5);
+    for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0})
+        QVERIFY(contrast(colours.text, colours.heat(share)) >= 4.5);
     QVERIFY(contrast(colours.text, colours.outside) >= 4.5);
     for (const Kind kind : allKinds()) QVERIFY(contrast(kindColour(kind, dark), colours.floor) >= 4.5);
     QVERIFY(contrast(colours.fix, colours.floor) >= 3.0);

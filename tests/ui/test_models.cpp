@@ -143,8 +143,9 @@ void ModelsTest::typingFindsPlaces_data() {
     const auto row = [](const char* name, const QString& typed, const QStringList& ids) {
         QTest::newRow(name) << typed << ids;
     };
-    row("nothing: all", QString(), {QStringLiteral("r2"), QStringLiteral("c"), QStringLiteral("r1"), QStringLiteral("s0"),
-                                    QStringLiteral("lib"), QStringLiteral("s1")});
+    row("nothing: all", QString(),
+        {QStringLiteral("r2"), QStringLiteral("c"), QStringLiteral("r1"), QStringLiteral("s0"),
+         QStringLiteral("lib"), QStringLiteral("s1")});
     row("part of a name", QStringLiteral("corr"), {QStringLiteral("c")});
     row("without accent and case", QStringLiteral("CAFE"), {QStringLiteral("r2")});
     row("room number", QStringLiteral("1.01"), {QStringLiteral("lib")});
@@ -164,7 +165,8 @@ void ModelsTest::typingFindsPlaces() {
     regions.setBuilding(handMadeBuilding());
     filter.setTyped(typed);
     QStringList ids;
-    for (int row = 0; row < filter.rowCount(); ++row) ids << filter.index(row, 0).data(RegionModel::IdRole).toString();
+    for (int row = 0; row < filter.rowCount(); ++row)
+        ids << filter.index(row, 0).data(RegionModel::IdRole).toString();
     found.sort();
     ids.sort();
     QCOMPARE(ids, found);

@@ -29,8 +29,8 @@ std::vector<Said> everything() {
     for (const NamedCue& entry : representativeCues()) {
         all.push_back({entry.label, Phrasebook(DirectionStyle::LeftRight).sentence(entry.cue), entry.cue});
         if (!entry.styled) continue;
-        all.push_back({entry.label + QStringLiteral(" [clock]"), Phrasebook(DirectionStyle::Clock).sentence(entry.cue),
-                       entry.cue});
+        all.push_back({entry.label + QStringLiteral(" [clock]"),
+                       Phrasebook(DirectionStyle::Clock).sentence(entry.cue), entry.cue});
         all.push_back({entry.label + QStringLiteral(" [degrees]"),
                        Phrasebook(DirectionStyle::Degrees).sentence(entry.cue), entry.cue});
     }
@@ -91,7 +91,8 @@ void TestPhrasebook::sentencesKeepTheRules() {
     QFETCH(QString, language);
     QVERIFY(installTranslation(language));
     static const QRegularExpression jargon(
-        QStringLiteral("\\b(region|fix|cue|vote|manoeuvre|access|portal|node|null|nan|região|manobra|acesso|voto)\\b"),
+        QStringLiteral(
+            "\\b(region|fix|cue|vote|manoeuvre|access|portal|node|null|nan|região|manobra|acesso|voto)\\b"),
         QRegularExpression::CaseInsensitiveOption | QRegularExpression::UseUnicodePropertiesOption);
     for (const Said& said : everything()) {
         const QByteArray what = (said.label + QStringLiteral(": ") + said.text).toUtf8();
@@ -120,8 +121,10 @@ void TestPhrasebook::figuresComeFromTheCueOnly() {
 void TestPhrasebook::portugueseHoldsNoEnglish() {
     QVERIFY(installTranslation(QStringLiteral("pt")));
     static const QRegularExpression english(
-        QStringLiteral("\\b(the|you|your|is|and|then|turn|left|right|up|down|door|stairs|lift|go|take|of|it|probably|ahead|"
-                       "metre|metres|step|steps|soon|first|next|at|from|behind|clock|degrees|level|choose|where)\\b"),
+        QStringLiteral(
+            "\\b(the|you|your|is|and|then|turn|left|right|up|down|door|stairs|lift|go|take|of|it|probably|"
+            "ahead|"
+            "metre|metres|step|steps|soon|first|next|at|from|behind|clock|degrees|level|choose|where)\\b"),
         QRegularExpression::CaseInsensitiveOption);
     for (Said& said : everything()) {
         if (said.cue.kind == CueKind::Text) continue; // read from a wall, in the wall's language

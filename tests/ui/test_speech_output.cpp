@@ -1,4 +1,5 @@
-// Farol's own voice as sound (written to files, so that no device is needed), and what is told when a voice fails.
+// Farol's own voice as sound (written to files, so that no device is needed), and what is told when a voice
+// fails.
 
 #include "tests/ui/stuck_engine.h"
 #include "ui/speech/phrasebook.h"
@@ -120,7 +121,8 @@ QString TestSpeechOutput::failure(const VoiceChoice& choice, const QString& text
     QSignalSpy finished(output.get(), &SpeechOutput::finished);
     QSignalSpy failed(output.get(), &SpeechOutput::failed);
     output->say(text);
-    if (!output->speaking() || !failed.wait(kPatienceMs) || !finished.isEmpty() || output->speaking()) return {};
+    if (!output->speaking() || !failed.wait(kPatienceMs) || !finished.isEmpty() || output->speaking())
+        return {};
     return failed[0][0].toString();
 }
 
@@ -136,12 +138,14 @@ void TestSpeechOutput::ownEngineComesFirst() {
 }
 
 void TestSpeechOutput::speaksEnglishAndPortuguese() {
-    const Wav english = spoken(own(QStringLiteral("en")), QStringLiteral("Go through the door, turning left. Next: Corridor B."));
+    const Wav english = spoken(own(QStringLiteral("en")),
+                               QStringLiteral("Go through the door, turning left. Next: Corridor B."));
     QVERIFY2(english.seconds > 2.0 && english.seconds < 6.0, qPrintable(QString::number(english.seconds)));
     QVERIFY(english.loudness > 500.0);
     const QString text = QStringLiteral("Passe a porta, virando à esquerda. A seguir: Corredor B.");
     const Wav portuguese = spoken(own(QStringLiteral("pt")), text);
-    QVERIFY2(portuguese.seconds > 2.0 && portuguese.seconds < 6.0, qPrintable(QString::number(portuguese.seconds)));
+    QVERIFY2(portuguese.seconds > 2.0 && portuguese.seconds < 6.0,
+             qPrintable(QString::number(portuguese.seconds)));
     QVERIFY(portuguese.loudness > 500.0);
     QCOMPARE(english.voice, QStringLiteral("farol, English (Great Britain)"));
     QCOMPARE(portuguese.voice, QStringLiteral("farol, Portuguese (Portugal)"));
@@ -157,13 +161,15 @@ void TestSpeechOutput::speaksEnglishAndPortuguese() {
 void TestSpeechOutput::everyWordIsSounded() {
     auto output = makeSpeechOutput(own(QStringLiteral("en")));
     QSignalSpy finished(output.get(), &SpeechOutput::finished);
-    const QStringList texts{QStringLiteral("Turn left."), QStringLiteral("Stop."), QStringLiteral("Exit sign, 12 o'clock, up."),
+    const QStringList texts{QStringLiteral("Turn left."), QStringLiteral("Stop."),
+                            QStringLiteral("Exit sign, 12 o'clock, up."),
                             QStringLiteral("Fire extinguisher, 9 o'clock, down.")};
     for (const QString& text : texts) {
         output->say(text);
         QVERIFY2(finished.wait(kPatienceMs), qUtf8Printable(text));
     }
-    const QStringList files = QDir(m_folder->path()).entryList({QStringLiteral("*.wav")}, QDir::Files, QDir::Name);
+    const QStringList files =
+        QDir(m_folder->path()).entryList({QStringLiteral("*.wav")}, QDir::Files, QDir::Name);
     QCOMPARE(files.size(), texts.size());
     for (const QString& name : files) {
         const Wav wav = readWav(m_folder->filePath(name));
@@ -179,20 +185,23 @@ void TestSpeechOutput::rateAndVolumeAreHeard() {
     const Wav soft = spoken(own(QStringLiteral("en"), 0.0, 0.25), text);
     QVERIFY(fast.seconds < 0.8 * normal.seconds);
     QVERIFY(slow.seconds > 1.2 * normal.seconds);
-    QVERIFY(soft.peak > 0.2 * normal.peak && soft.peak < 0.3 * normal.peak); // no two syntheses are quite equal
+    QVERIFY(soft.peak > 0.2 * normal.peak &&
+            soft.peak < 0.3 * normal.peak); // no two syntheses are quite equal
 }
 
 void TestSpeechOutput::voiceIsChosenByName() {
     VoiceChoice choice = own(QStringLiteral("en"));
     const QStringList voices = farol::ui::speechVoices(choice);
     QVERIFY(voices.size() > 1);
-    QCOMPARE(farol::ui::speechVoices(own(QStringLiteral("pt"))), QStringList{QStringLiteral("Portuguese (Portugal)")});
+    QCOMPARE(farol::ui::speechVoices(own(QStringLiteral("pt"))),
+             QStringList{QStringLiteral("Portuguese (Portugal)")});
     choice.voice = voices.last();
     const Wav last = spoken(choice, QStringLiteral("Turn around."));
     QVERIFY(last.loudness > 500.0);
     QCOMPARE(last.voice, QStringLiteral("farol, ") + voices.last());
     choice.voice = QStringLiteral("a voice that was uninstalled");
-    QCOMPARE(spoken(choice, QStringLiteral("Turn around.")).voice, QStringLiteral("farol, English (Great Britain)"));
+    QCOMPARE(spoken(choice, QStringLiteral("Turn around.")).voice,
+             QStringLiteral("farol, English (Great Britain)"));
 }
 
 void TestSpeechOutput::replacedTextReportsNothing() {
@@ -239,14 +248,16 @@ void TestSpeechOutput::unwritableFolderIsTold() {
     QFile blocker(file);
     QVERIFY(blocker.open(QIODevice::WriteOnly));
     qputenv("FAROL_SPEECH_WAV", (file + QStringLiteral("/below")).toUtf8());
-    QVERIFY(failure(own(QStringLiteral("en")), QStringLiteral("Turn left.")).contains(QStringLiteral("below")));
+    QVERIFY(
+        failure(own(QStringLiteral("en")), QStringLiteral("Turn left.")).contains(QStringLiteral("below")));
 }
 
 void TestSpeechOutput::unknownEngineIsTold() {
     VoiceChoice choice;
     choice.engine = QStringLiteral("gone");
     const QString message = failure(choice, QStringLiteral("Turn left."));
-    QCOMPARE(message, QStringLiteral("The voice \"gone\" is not installed. Choose another one in the settings."));
+    QCOMPARE(message,
+             QStringLiteral("The voice \"gone\" is not installed. Choose another one in the settings."));
     QVERIFY(farol::ui::speechVoices(choice).isEmpty());
 }
 
@@ -254,7 +265,8 @@ void TestSpeechOutput::wrongLanguageIsNotSpoken() {
     VoiceChoice choice;
     choice.engine = QStringLiteral("stuck"); // knows English only
     choice.language = QStringLiteral("pt");
-    QVERIFY(failure(choice, QStringLiteral("Vire à esquerda.")).contains(QStringLiteral("does not speak this language")));
+    QVERIFY(failure(choice, QStringLiteral("Vire à esquerda."))
+                .contains(QStringLiteral("does not speak this language")));
 }
 
 void TestSpeechOutput::hangingVoiceIsTold() {

@@ -77,7 +77,9 @@ Cue warning(CueReason reason) {
     return cue;
 }
 
-Cue reassure(double time = 0.0) { return cueOf(CueKind::Reassure, CuePriority::Reassurance, time); }
+Cue reassure(double time = 0.0) {
+    return cueOf(CueKind::Reassure, CuePriority::Reassurance, time);
+}
 
 const QString kLeft = QStringLiteral("Turn left.");
 const QString kRight = QStringLiteral("Turn right.");
@@ -85,8 +87,8 @@ const QString kSoonRight = QStringLiteral("Soon, turn right.");
 const QString kKeep = QStringLiteral("Keep moving forward.");
 const QString kExtinguisher = QStringLiteral("Extinguisher, left, down.");
 const QString kDoor = QStringLiteral("Door, left, down.");
-const QString kUnsure =
-    QStringLiteral("I am not sure where you are. Stop, and turn slowly to the right, so that I can look around.");
+const QString kUnsure = QStringLiteral(
+    "I am not sure where you are. Stop, and turn slowly to the right, so that I can look around.");
 
 struct Walk {
     Walk() : queue(output, phrasebook) {
@@ -154,8 +156,10 @@ void TestSpeechQueue::speaksInOrderOfUrgencyThenArrival() {
     walk.queue.add(turn(CueKind::Act, 90));
     QCOMPARE(walk.queue.waiting().size(), std::size_t(3)); // the turn made the reassurance superfluous
     walk.finishAll();
-    QCOMPARE(walk.output.said, (QStringList{QStringLiteral("The camera works again."), kLeft, kDoor, kExtinguisher}));
-    QCOMPARE(walk.statesOf(kLeft), (States{UtteranceState::Waiting, UtteranceState::Speaking, UtteranceState::Spoken}));
+    QCOMPARE(walk.output.said,
+             (QStringList{QStringLiteral("The camera works again."), kLeft, kDoor, kExtinguisher}));
+    QCOMPARE(walk.statesOf(kLeft),
+             (States{UtteranceState::Waiting, UtteranceState::Speaking, UtteranceState::Spoken}));
 }
 
 void TestSpeechQueue::urgentCueInterrupts() {
@@ -238,8 +242,9 @@ void TestSpeechQueue::cueOfAnOldRouteIsCutOff() {
 }
 
 void TestSpeechQueue::nothingToMoveWaitsBehindStop() {
-    for (const Cue& stop : {warning(CueReason::CameraLost), warning(CueReason::PictureCovered),
-                            cueOf(CueKind::Unsure, CuePriority::OffRoute), cueOf(CueKind::OffRoute, CuePriority::OffRoute)}) {
+    for (const Cue& stop :
+         {warning(CueReason::CameraLost), warning(CueReason::PictureCovered),
+          cueOf(CueKind::Unsure, CuePriority::OffRoute), cueOf(CueKind::OffRoute, CuePriority::OffRoute)}) {
         Walk walk;
         walk.queue.add(turn(CueKind::Act, 90));
         walk.queue.add(turn(CueKind::Act, -90, 4.0));
@@ -389,7 +394,8 @@ void TestSpeechQueue::clearForgetsTheWalk() {
     QVERIFY(!walk.output.speaking());
     QVERIFY(walk.queue.waiting().empty());
     QCOMPARE(walk.statesOf(kDoor).last(), UtteranceState::Expired);
-    Cue again = turn(CueKind::Act, 90, 0.0, 1.0); // the next walk starts clean: same words, old clock, version 1
+    Cue again =
+        turn(CueKind::Act, 90, 0.0, 1.0); // the next walk starts clean: same words, old clock, version 1
     again.routeVersion = 1;
     again.validUntil = 5.0;
     again.validIn = {RegionId{"R1"}};

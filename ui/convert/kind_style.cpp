@@ -11,7 +11,8 @@ double linear(double channel) {
 }
 
 double luminance(const QColor& colour) {
-    return 0.2126 * linear(colour.redF()) + 0.7152 * linear(colour.greenF()) + 0.0722 * linear(colour.blueF());
+    return 0.2126 * linear(colour.redF()) + 0.7152 * linear(colour.greenF()) +
+           0.0722 * linear(colour.blueF());
 }
 
 struct Pair {
@@ -22,16 +23,23 @@ struct Pair {
 Pair family(Kind kind) {
     switch (kind) {
     case Kind::Door:
-    case Kind::Window: return {0x0b57a4, 0x7cc0ff};
+    case Kind::Window:
+        return {0x0b57a4, 0x7cc0ff};
     case Kind::Stairs:
-    case Kind::Elevator: return {0x6a2c91, 0xd6a6ff};
+    case Kind::Elevator:
+        return {0x6a2c91, 0xd6a6ff};
     case Kind::Extinguisher:
-    case Kind::Hydrant: return {0xa3142b, 0xff9a9a};
-    case Kind::ExitSign: return {0x0b6b2f, 0x74d991};
+    case Kind::Hydrant:
+        return {0xa3142b, 0xff9a9a};
+    case Kind::ExitSign:
+        return {0x0b6b2f, 0x74d991};
     case Kind::Sign:
-    case Kind::Text: return {0x7a4a00, 0xffc766};
-    case Kind::Place: return {0x00646b, 0x62dce4};
-    default: return {0x4a4f57, 0xcfd4dc};
+    case Kind::Text:
+        return {0x7a4a00, 0xffc766};
+    case Kind::Place:
+        return {0x00646b, 0x62dce4};
+    default:
+        return {0x4a4f57, 0xcfd4dc};
     }
 }
 
@@ -42,7 +50,9 @@ QColor kindColour(Kind kind, bool dark) {
     return QColor::fromRgb(dark ? pair.onDark : pair.onLight);
 }
 
-bool isDark(const QPalette& palette) { return luminance(palette.color(QPalette::Window)) < 0.2; }
+bool isDark(const QPalette& palette) {
+    return luminance(palette.color(QPalette::Window)) < 0.2;
+}
 
 double contrast(const QColor& a, const QColor& b) {
     const double first = luminance(a);
@@ -51,7 +61,8 @@ double contrast(const QColor& a, const QColor& b) {
 }
 
 QColor readableOn(const QColor& background) {
-    return contrast(background, Qt::black) >= contrast(background, Qt::white) ? QColor(Qt::black) : QColor(Qt::white);
+    return contrast(background, Qt::black) >= contrast(background, Qt::white) ? QColor(Qt::black)
+                                                                              : QColor(Qt::white);
 }
 
 } // namespace farol::ui

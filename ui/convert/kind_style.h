@@ -8,8 +8,8 @@
 
 namespace farol::ui {
 
-/// One of a few families (doors and stairs, signs and texts, safety, furniture, places), told apart also by people
-/// who see few colours. `dark`: for a dark background.
+/// One of a few families (doors and stairs, signs and texts, safety, furniture, places), told apart also by
+/// people who see few colours. `dark`: for a dark background.
 QColor kindColour(Kind kind, bool dark);
 bool isDark(const QPalette& palette);
 /// WCAG 2 contrast ratio of two opaque colours, 1 to 21.

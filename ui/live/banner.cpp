@@ -15,7 +15,10 @@
 namespace farol::ui {
 
 Banner::Banner(QWidget* parent)
-    : QFrame(parent), m_kind(new QLabel(this)), m_label(new QLabel(this)), m_action(new QPushButton(this)),
+    : QFrame(parent),
+      m_kind(new QLabel(this)),
+      m_label(new QLabel(this)),
+      m_action(new QPushButton(this)),
       m_close(new QToolButton(this)) {
     setAutoFillBackground(true);
     setFrameShape(QFrame::NoFrame);
@@ -54,15 +57,23 @@ void Banner::show(BannerText text) {
     QAccessible::updateAccessibility(&alert);
 }
 
-QString Banner::text() const { return m_label->text(); }
+QString Banner::text() const {
+    return m_label->text();
+}
 
 void Banner::colour() {
     const bool dark = isDark(parentWidget() ? parentWidget()->palette() : palette());
     QColor back;
     switch (m_text.kind) {
-    case BannerKind::Note: back = dark ? QColor(0x17324d) : QColor(0xdcebfa); break;
-    case BannerKind::Warning: back = dark ? QColor(0x4d3a0c) : QColor(0xffecc2); break;
-    case BannerKind::Problem: back = dark ? QColor(0x5a1a22) : QColor(0xfbd9dc); break;
+    case BannerKind::Note:
+        back = dark ? QColor(0x17324d) : QColor(0xdcebfa);
+        break;
+    case BannerKind::Warning:
+        back = dark ? QColor(0x4d3a0c) : QColor(0xffecc2);
+        break;
+    case BannerKind::Problem:
+        back = dark ? QColor(0x5a1a22) : QColor(0xfbd9dc);
+        break;
     }
     QPalette colours = parentWidget() ? parentWidget()->palette() : palette();
     const QColor ink = readableOn(back);
@@ -78,9 +89,15 @@ void Banner::colour() {
 
 void Banner::retranslate() {
     switch (m_text.kind) {
-    case BannerKind::Note: m_kind->setText(tr("Note")); break;
-    case BannerKind::Warning: m_kind->setText(tr("Attention")); break;
-    case BannerKind::Problem: m_kind->setText(tr("Problem")); break;
+    case BannerKind::Note:
+        m_kind->setText(tr("Note"));
+        break;
+    case BannerKind::Warning:
+        m_kind->setText(tr("Attention"));
+        break;
+    case BannerKind::Problem:
+        m_kind->setText(tr("Problem"));
+        break;
     }
     setAccessibleName(QStringLiteral("%1: %2").arg(m_kind->text(), m_text.text));
     m_action->setAccessibleName(m_text.action);

@@ -13,7 +13,10 @@
 namespace farol::ui {
 
 FramePanel::FramePanel(QWidget* parent)
-    : QWidget(parent), m_view(new FrameView(this)), m_title(panelTitle(this)), m_when(new ElidedLabel(this)),
+    : QWidget(parent),
+      m_view(new FrameView(this)),
+      m_title(panelTitle(this)),
+      m_when(new ElidedLabel(this)),
       m_cost(new ElidedLabel(this)) {
     auto* facts = new QHBoxLayout;
     facts->setContentsMargins(0, 0, 6, 0);
@@ -45,7 +48,9 @@ void FramePanel::show(const std::shared_ptr<const session::Snapshot>& snapshot) 
     retranslate();
 }
 
-QString FramePanel::facts() const { return QStringLiteral("%1 %2").arg(m_when->text(), m_cost->text()); }
+QString FramePanel::facts() const {
+    return QStringLiteral("%1 %2").arg(m_when->text(), m_cost->text());
+}
 
 void FramePanel::retranslate() {
     m_title->setText(tr("What the camera sees"));
@@ -59,8 +64,9 @@ void FramePanel::retranslate() {
     const capture::Frame& frame = m_snapshot->frame;
     const QString name = toQString(frame.name);
     const QString number = QString::number(frame.index + 1);
-    m_when->setText(name.isEmpty() ? tr("Picture %1 at %2").arg(number, clockText(frame.capturedAt))
-                                   : tr("Picture %1 at %2 (%3)").arg(number, clockText(frame.capturedAt), name));
+    m_when->setText(name.isEmpty()
+                        ? tr("Picture %1 at %2").arg(number, clockText(frame.capturedAt))
+                        : tr("Picture %1 at %2 (%3)").arg(number, clockText(frame.capturedAt), name));
     QStringList cost;
     cost << tr("understood in %1 ms").arg(std::lround(m_snapshot->times.ageMs));
     const int late = static_cast<int>(m_snapshot->framesDropped);
@@ -69,9 +75,10 @@ void FramePanel::retranslate() {
     if (unreadable > 0) cost << tr("%n unreadable", nullptr, unreadable);
     m_cost->setText(cost.join(QStringLiteral(" · ")));
     m_when->setToolTip(m_when->text());
-    m_cost->setToolTip(m_cost->text() + QLatin1Char('\n') +
-                       tr("Time from the picture's arrival to the answer, and how many pictures had to be left out "
-                          "because Farol was still busy with an earlier one"));
+    m_cost->setToolTip(
+        m_cost->text() + QLatin1Char('\n') +
+        tr("Time from the picture's arrival to the answer, and how many pictures had to be left out "
+           "because Farol was still busy with an earlier one"));
 }
 
 void FramePanel::changeEvent(QEvent* event) {

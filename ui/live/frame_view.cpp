@@ -70,8 +70,9 @@ QRectF FrameView::pictureRect() const {
 void FrameView::describe() {
     QStringList parts;
     for (const recognition::Detection& detection : m_detections)
-        parts << QStringLiteral("%1, %2").arg(findingText(detection), Phrasebook::zoneWords(detection.zone()));
-    const QString text = m_image.isNull()   ? tr("No picture yet")
+        parts << QStringLiteral("%1, %2").arg(findingText(detection),
+                                              Phrasebook::zoneWords(detection.zone()));
+    const QString text = m_image.isNull()  ? tr("No picture yet")
                          : parts.isEmpty() ? tr("Nothing known is in the picture")
                                            : tr("In the picture: %1").arg(parts.join(QStringLiteral("; ")));
     if (text != accessibleDescription()) setAccessibleDescription(text);
@@ -88,7 +89,8 @@ void FrameView::paintGrid(QPainter& painter, const QRectF& area) const {
     painter.setRenderHint(QPainter::Antialiasing, false);
     for (const QColor& colour : {QColor(0, 0, 0, 110), QColor(255, 255, 255, 120)}) {
         painter.setPen(QPen(colour, 1, Qt::DashLine));
-        const double shift = colour.red() ? 0.0 : 1.0; // a dark line beside the light one: seen on any picture
+        const double shift =
+            colour.red() ? 0.0 : 1.0; // a dark line beside the light one: seen on any picture
         for (const int third : {1, 2}) {
             const double x = area.left() + area.width() * third / 3 + shift;
             const double y = area.top() + area.height() * third / 3 + shift;
@@ -108,8 +110,8 @@ void FrameView::paintZone(QPainter& painter, const QRectF& area) const {
     painter.setPen(QPen(QColor(255, 200, 40), 2.5));
     painter.drawRect(zone.adjusted(1.5, 1.5, -1.5, -1.5));
     painter.setBrush(Qt::NoBrush);
-    paintTag(painter, area, zone.bottomLeft() + QPointF(4, -4), tr("Spoken: %1").arg(Phrasebook::zoneWords(*m_spoken)),
-             QColor(255, 200, 40));
+    paintTag(painter, area, zone.bottomLeft() + QPointF(4, -4),
+             tr("Spoken: %1").arg(Phrasebook::zoneWords(*m_spoken)), QColor(255, 200, 40));
 }
 
 void FrameView::paintTag(QPainter& painter, const QRectF& area, QPointF corner, const QString& text,
@@ -130,7 +132,8 @@ void FrameView::paintTag(QPainter& painter, const QRectF& area, QPointF corner, 
     painter.drawText(box.adjusted(10, 0, -4, 0), Qt::AlignVCenter | Qt::AlignLeft, shown);
 }
 
-void FrameView::paintDetection(QPainter& painter, const QRectF& area, const recognition::Detection& detection) const {
+void FrameView::paintDetection(QPainter& painter, const QRectF& area,
+                               const recognition::Detection& detection) const {
     const QPolygonF polygon = onScreen(detection.quad, area);
     const QColor colour = kindColour(detection.kind, true);
     painter.setPen(QPen(QColor(0, 0, 0, 170), 4.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
@@ -142,7 +145,8 @@ void FrameView::paintDetection(QPainter& painter, const QRectF& area, const reco
              tr("%1 · %2 %").arg(findingText(detection)).arg(std::lround(detection.score * 100.0)), colour);
 }
 
-void FrameView::paintRejection(QPainter& painter, const QRectF& area, const recognition::Rejection& rejection) const {
+void FrameView::paintRejection(QPainter& painter, const QRectF& area,
+                               const recognition::Rejection& rejection) const {
     const QPolygonF polygon = onScreen(rejection.quad, area);
     const QRectF bounds = polygon.boundingRect();
     if (bounds.width() < 2.0 || bounds.height() < 2.0) return; // no outline was found at all
@@ -160,8 +164,9 @@ void FrameView::paintEvent(QPaintEvent* /*event*/) {
     painter.fillRect(rect(), kBackdrop);
     if (m_image.isNull()) {
         painter.setPen(QColor(0xd5dae1));
-        painter.drawText(rect().adjusted(16, 16, -16, -16), Qt::AlignCenter | Qt::TextWordWrap,
-                         tr("No picture yet.\nOpen a camera, a video or a folder of pictures, then press Play."));
+        painter.drawText(
+            rect().adjusted(16, 16, -16, -16), Qt::AlignCenter | Qt::TextWordWrap,
+            tr("No picture yet.\nOpen a camera, a video or a folder of pictures, then press Play."));
     } else {
         const QRectF area = pictureRect();
         painter.setRenderHint(QPainter::SmoothPixmapTransform);
@@ -170,7 +175,8 @@ void FrameView::paintEvent(QPaintEvent* /*event*/) {
         if (m_showGrid) paintGrid(painter, area);
         if (m_spoken) paintZone(painter, area);
         if (m_showRejected)
-            for (const recognition::Rejection& rejection : m_rejections) paintRejection(painter, area, rejection);
+            for (const recognition::Rejection& rejection : m_rejections)
+                paintRejection(painter, area, rejection);
         for (const recognition::Detection& detection : m_detections) paintDetection(painter, area, detection);
     }
     if (hasFocus()) {

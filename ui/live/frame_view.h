@@ -19,7 +19,8 @@ public:
     explicit FrameView(QWidget* parent = nullptr);
 
     void setFrame(const QImage& image);
-    void setFindings(std::vector<recognition::Detection> detections, std::vector<recognition::Rejection> rejections);
+    void setFindings(std::vector<recognition::Detection> detections,
+                     std::vector<recognition::Rejection> rejections);
     void setShowGrid(bool show);
     void setShowRejected(bool show);
     /// The zone of the object that was spoken last; empty: none.
@@ -40,7 +41,8 @@ private:
     void paintZone(QPainter& painter, const QRectF& area) const;
     void paintDetection(QPainter& painter, const QRectF& area, const recognition::Detection& detection) const;
     void paintRejection(QPainter& painter, const QRectF& area, const recognition::Rejection& rejection) const;
-    void paintTag(QPainter& painter, const QRectF& area, QPointF corner, const QString& text, const QColor& edge) const;
+    void paintTag(QPainter& painter, const QRectF& area, QPointF corner, const QString& text,
+                  const QColor& edge) const;
     QPolygonF onScreen(const Quad& quad, const QRectF& area) const;
     void describe();
 

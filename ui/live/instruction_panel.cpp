@@ -22,7 +22,10 @@ bool isInstruction(const guidance::Cue& cue) {
 } // namespace
 
 InstructionPanel::InstructionPanel(QWidget* parent)
-    : QFrame(parent), m_sentence(new QLabel(this)), m_way(new ElidedLabel(this)), m_voice(new ElidedLabel(this)) {
+    : QFrame(parent),
+      m_sentence(new QLabel(this)),
+      m_way(new ElidedLabel(this)),
+      m_voice(new ElidedLabel(this)) {
     setFrameShape(QFrame::StyledPanel);
     QFont large = m_sentence->font();
     large.setPointSizeF(large.pointSizeF() * 1.9);
@@ -62,7 +65,8 @@ void InstructionPanel::show(const std::shared_ptr<const session::Snapshot>& snap
 
 void InstructionPanel::note(const Utterance& utterance) {
     if (!isInstruction(utterance.cue) || utterance.text.isEmpty()) return;
-    const bool current = utterance.state == UtteranceState::Speaking || utterance.state == UtteranceState::Shown;
+    const bool current =
+        utterance.state == UtteranceState::Speaking || utterance.state == UtteranceState::Shown;
     if (!current) return;
     m_said = utterance.text;
     m_saidCue = utterance.cue;
@@ -81,9 +85,15 @@ void InstructionPanel::setVoice(const QString& status, bool trouble) {
     retranslate();
 }
 
-QString InstructionPanel::sentence() const { return m_sentence->text(); }
-QString InstructionPanel::way() const { return m_way->text(); }
-QString InstructionPanel::voiceText() const { return m_voice->text(); }
+QString InstructionPanel::sentence() const {
+    return m_sentence->text();
+}
+QString InstructionPanel::way() const {
+    return m_way->text();
+}
+QString InstructionPanel::voiceText() const {
+    return m_voice->text();
+}
 
 bool InstructionPanel::outdated() const {
     return m_saidCue && m_snapshot && m_snapshot->step.percept.time > m_saidCue->validUntil;
@@ -92,12 +102,17 @@ bool InstructionPanel::outdated() const {
 QString InstructionPanel::progressText() const {
     const guidance::Progress& progress = m_snapshot->step.progress;
     switch (progress.travel) {
-    case guidance::Travel::NoDestination: return tr("No destination chosen: places are told, no route.");
-    case guidance::Travel::NoFix: return tr("The route follows as soon as it is known where you are.");
-    case guidance::Travel::Unreachable: return tr("There is no way to the destination. %1").arg(toQString(progress.reason));
-    case guidance::Travel::Arrived: return tr("At the destination.");
+    case guidance::Travel::NoDestination:
+        return tr("No destination chosen: places are told, no route.");
+    case guidance::Travel::NoFix:
+        return tr("The route follows as soon as it is known where you are.");
+    case guidance::Travel::Unreachable:
+        return tr("There is no way to the destination. %1").arg(toQString(progress.reason));
+    case guidance::Travel::Arrived:
+        return tr("At the destination.");
     case guidance::Travel::OffRoute:
-    case guidance::Travel::OnRoute: break;
+    case guidance::Travel::OnRoute:
+        break;
     }
     QStringList parts;
     if (progress.route && !progress.route->regions.empty()) {
@@ -126,17 +141,22 @@ void InstructionPanel::retranslate() {
     if (old) way << tr("Said at %1").arg(clockText(m_saidCue->time));
     if (m_snapshot) way << progressText();
     m_way->setText(way.join(QStringLiteral(" · ")));
-    if (!m_said.isEmpty()) m_sentence->setText(m_said);
-    else if (!m_building) m_sentence->setText(tr("Open a map to begin."));
-    else if (!m_snapshot) m_sentence->setText(tr("Ready. Press Play to start the walk."));
-    else m_sentence->setText(tr("Looking around…"));
+    if (!m_said.isEmpty())
+        m_sentence->setText(m_said);
+    else if (!m_building)
+        m_sentence->setText(tr("Open a map to begin."));
+    else if (!m_snapshot)
+        m_sentence->setText(tr("Ready. Press Play to start the walk."));
+    else
+        m_sentence->setText(tr("Looking around…"));
     m_sentence->setAccessibleName(tr("Next instruction: %1").arg(m_sentence->text()));
     m_sentence->setToolTip(m_sentence->text());
     m_way->setToolTip(m_way->text());
     m_voice->setText(m_voiceTrouble ? tr("No sound: %1").arg(m_voiceStatus) : m_voiceStatus);
     m_voice->setToolTip(m_voice->text());
     QPalette colours = palette();
-    if (m_voiceTrouble) colours.setColor(QPalette::WindowText, isDark(palette()) ? QColor(0xff9a9a) : QColor(0xa3142b));
+    if (m_voiceTrouble)
+        colours.setColor(QPalette::WindowText, isDark(palette()) ? QColor(0xff9a9a) : QColor(0xa3142b));
     m_voice->setPalette(colours);
 }
 

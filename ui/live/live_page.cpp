@@ -141,10 +141,13 @@ void LivePage::connectWalk() {
 void LivePage::connectViews() {
     connect(m_destination, &PlaceChooser::placeChosen, &m_walk, &Walk::setDestination);
     connect(m_start, &PlaceChooser::placeChosen, &m_walk, &Walk::setStart);
-    connect(m_map, &MapPanel::destinationWanted, &m_walk, [this](const RegionId& region) { m_walk.setDestination(region); });
-    connect(m_map, &MapPanel::startWanted, &m_walk, [this](const RegionId& region) { m_walk.setStart(region); });
+    connect(m_map, &MapPanel::destinationWanted, &m_walk,
+            [this](const RegionId& region) { m_walk.setDestination(region); });
+    connect(m_map, &MapPanel::startWanted, &m_walk,
+            [this](const RegionId& region) { m_walk.setStart(region); });
     connect(m_map, &MapPanel::followChanged, &m_settings, &Settings::setFollowLevel);
-    connect(&m_map->view(), &MapView::levelChanged, this, [this](double ordinal) { m_floor.setLevel(ordinal); });
+    connect(&m_map->view(), &MapView::levelChanged, this,
+            [this](double ordinal) { m_floor.setLevel(ordinal); });
     connect(&m_map->view(), &MapView::selectionChanged, this, [this](const std::optional<MapHit>& hit) {
         if (!hit) return m_floorTable->clearSelection();
         const auto sort = static_cast<FloorModel::Sort>(hit->what);
@@ -222,8 +225,10 @@ void LivePage::markFloor() {
 void LivePage::note(const Utterance& utterance) {
     m_utterances.note(utterance);
     m_instruction->note(utterance);
-    const bool hasZone = utterance.cue.kind == guidance::CueKind::Detection || utterance.cue.kind == guidance::CueKind::Text;
-    const bool current = utterance.state == UtteranceState::Speaking || utterance.state == UtteranceState::Shown;
+    const bool hasZone =
+        utterance.cue.kind == guidance::CueKind::Detection || utterance.cue.kind == guidance::CueKind::Text;
+    const bool current =
+        utterance.state == UtteranceState::Speaking || utterance.state == UtteranceState::Shown;
     if (!hasZone || !current) return;
     m_zoneUntil = utterance.cue.time + kZoneSeconds;
     m_frame->view().setSpokenZone(utterance.cue.zone);
@@ -249,9 +254,10 @@ void LivePage::retranslate() {
     m_tabs->tabBar()->setAccessibleName(tr("Lists"));
     for (QTableView* table : {m_said, m_voteTable, m_historyTable, m_pictureTable, m_floorTable})
         table->viewport()->update();
-    for (const QAbstractItemModel* model :
-         std::initializer_list<const QAbstractItemModel*>{&m_utterances, &m_votes, &m_history, &m_detections, &m_floor})
-        Q_EMIT const_cast<QAbstractItemModel*>(model)->headerDataChanged(Qt::Horizontal, 0, model->columnCount() - 1);
+    for (const QAbstractItemModel* model : std::initializer_list<const QAbstractItemModel*>{
+             &m_utterances, &m_votes, &m_history, &m_detections, &m_floor})
+        Q_EMIT const_cast<QAbstractItemModel*>(model)->headerDataChanged(Qt::Horizontal, 0,
+                                                                         model->columnCount() - 1);
 }
 
 void LivePage::changeEvent(QEvent* event) {

@@ -1,5 +1,6 @@
 #pragma once
-// The page on which a walk is watched: picture, map, next instruction, what was said, votes and what was seen.
+// The page on which a walk is watched: picture, map, next instruction, what was said, votes and what was
+// seen.
 
 #include "ui/live/speech_desk.h"
 #include "ui/live/walk.h"

@@ -18,9 +18,16 @@
 namespace farol::ui {
 
 MapPanel::MapPanel(QWidget* parent)
-    : QWidget(parent), m_view(new MapView(this)), m_title(panelTitle(this)), m_levelLabel(new QLabel(this)),
-      m_levels(new QComboBox(this)), m_follow(new QCheckBox(this)), m_zoomIn(new QToolButton(this)),
-      m_zoomOut(new QToolButton(this)), m_fit(new QToolButton(this)), m_where(new ElidedLabel(this)) {
+    : QWidget(parent),
+      m_view(new MapView(this)),
+      m_title(panelTitle(this)),
+      m_levelLabel(new QLabel(this)),
+      m_levels(new QComboBox(this)),
+      m_follow(new QCheckBox(this)),
+      m_zoomIn(new QToolButton(this)),
+      m_zoomOut(new QToolButton(this)),
+      m_fit(new QToolButton(this)),
+      m_where(new ElidedLabel(this)) {
     m_levelLabel->setBuddy(m_levels);
     m_levels->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     m_levels->setMinimumContentsLength(4);
@@ -28,7 +35,8 @@ MapPanel::MapPanel(QWidget* parent)
     bar->setSpacing(6);
     bar->addWidget(m_title);
     bar->addStretch();
-    for (QWidget* widget : std::initializer_list<QWidget*>{m_levelLabel, m_levels, m_follow, m_zoomOut, m_zoomIn, m_fit})
+    for (QWidget* widget :
+         std::initializer_list<QWidget*>{m_levelLabel, m_levels, m_follow, m_zoomOut, m_zoomIn, m_fit})
         bar->addWidget(widget);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -50,9 +58,8 @@ MapPanel::MapPanel(QWidget* parent)
     connect(m_zoomIn, &QToolButton::clicked, this, [this] { m_view->zoom(1.25); });
     connect(m_zoomOut, &QToolButton::clicked, this, [this] { m_view->zoom(0.8); });
     connect(m_fit, &QToolButton::clicked, m_view, &MapView::fit);
-    connect(m_view, &MapView::levelChanged, this, [this](double ordinal) {
-        m_levels->setCurrentIndex(m_levels->findData(ordinal));
-    });
+    connect(m_view, &MapView::levelChanged, this,
+            [this](double ordinal) { m_levels->setCurrentIndex(m_levels->findData(ordinal)); });
     connect(m_view, &MapView::menuWanted, this, &MapPanel::openMenu);
     connect(m_view, &MapView::activated, this, [this](const MapHit& hit) {
         if (const auto region = regionOf(hit)) Q_EMIT destinationWanted(*region);
@@ -82,7 +89,8 @@ void MapPanel::fillLevels() {
 }
 
 void MapPanel::levelPicked(int row) {
-    if (m_follow->isChecked()) m_follow->setChecked(false); // a choice by hand must not be undone by the next picture
+    if (m_follow->isChecked())
+        m_follow->setChecked(false); // a choice by hand must not be undone by the next picture
     m_view->setLevel(m_levels->itemData(row).toDouble());
 }
 
@@ -105,7 +113,8 @@ void MapPanel::show(const std::shared_ptr<const session::Snapshot>& snapshot) {
 
 QString MapPanel::where() const {
     if (!m_building) return tr("No map is open.");
-    if (!m_snapshot) return tr("%n place(s) on the map.", nullptr, static_cast<int>(m_building->regions().size()));
+    if (!m_snapshot)
+        return tr("%n place(s) on the map.", nullptr, static_cast<int>(m_building->regions().size()));
     const localisation::Fix& fix = m_snapshot->step.fix;
     if (!fix.region) return tr("Where you are is not known yet.");
     const building::Region* region = m_building->region(*fix.region);
@@ -116,15 +125,21 @@ QString MapPanel::where() const {
     return tr("You are in %1: %2.").arg(name, sure);
 }
 
-QString MapPanel::whereText() const { return m_where->text(); }
+QString MapPanel::whereText() const {
+    return m_where->text();
+}
 
 void MapPanel::setDestination(const std::optional<RegionId>& destination) {
     m_destination = destination;
     show(m_snapshot);
 }
 
-void MapPanel::setFollow(bool follow) { m_follow->setChecked(follow); }
-bool MapPanel::follow() const { return m_follow->isChecked(); }
+void MapPanel::setFollow(bool follow) {
+    m_follow->setChecked(follow);
+}
+bool MapPanel::follow() const {
+    return m_follow->isChecked();
+}
 
 std::optional<RegionId> MapPanel::regionOf(const MapHit& hit) const {
     if (!m_building) return std::nullopt;
@@ -148,11 +163,13 @@ QString MapPanel::describe(const MapHit& hit) const {
                                       regionName(&map, access.regionB));
         return access.closed ? tr("%1 (closed)").arg(text) : text;
     }
-    case MapHit::What::Landmark: break;
+    case MapHit::What::Landmark:
+        break;
     }
     const building::Landmark& landmark = map.landmarks()[hit.index];
     const QString name = toQString(landmark.text.empty() ? landmark.id.value : landmark.text);
-    return tr("%1: %2, in %3").arg(Phrasebook::kindWord(landmark.kind), name, regionName(&map, landmark.region));
+    return tr("%1: %2, in %3")
+        .arg(Phrasebook::kindWord(landmark.kind), name, regionName(&map, landmark.region));
 }
 
 void MapPanel::openMenu(const MapHit& hit, const QPoint& at) {

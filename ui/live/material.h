@@ -11,7 +11,8 @@
 
 namespace farol::ui {
 
-/// A door to a GUI object for other threads: once detached, or once the object is gone, what is posted is dropped.
+/// A door to a GUI object for other threads: once detached, or once the object is gone, what is posted is
+/// dropped.
 class Doorway {
 public:
     explicit Doorway(QObject* target) : m_target(target) {}

@@ -13,7 +13,11 @@
 namespace farol::ui {
 
 PlaceChooser::PlaceChooser(RegionModel& regions, Purpose purpose, QWidget* parent)
-    : QWidget(parent), m_regions(regions), m_purpose(purpose), m_label(new QLabel(this)), m_edit(new QLineEdit(this)),
+    : QWidget(parent),
+      m_regions(regions),
+      m_purpose(purpose),
+      m_label(new QLabel(this)),
+      m_edit(new QLineEdit(this)),
       m_hint(new QLabel(this)) {
     m_filter.setSourceModel(&m_regions);
     auto* completer = new QCompleter(this);
@@ -38,9 +42,10 @@ PlaceChooser::PlaceChooser(RegionModel& regions, Purpose purpose, QWidget* paren
         if (text.isEmpty()) choose(std::nullopt);
     });
     connect(m_edit, &QLineEdit::returnPressed, this, &PlaceChooser::confirmTyped);
-    connect(completer, qOverload<const QModelIndex&>(&QCompleter::activated), this, [this](const QModelIndex& index) {
-        choose(RegionId(toUtf8(index.data(RegionModel::IdRole).toString())));
-    });
+    connect(completer, qOverload<const QModelIndex&>(&QCompleter::activated), this,
+            [this](const QModelIndex& index) {
+                choose(RegionId(toUtf8(index.data(RegionModel::IdRole).toString())));
+            });
     connect(&m_regions, &QAbstractItemModel::modelReset, this, [this] { setChosen(std::nullopt); });
     retranslate();
 }
@@ -61,7 +66,8 @@ void PlaceChooser::choose(const std::optional<RegionId>& region) {
 
 void PlaceChooser::confirmTyped() {
     const QString text = m_edit->text();
-    if (m_edit->completer()->popup()->isVisible() && m_edit->completer()->popup()->currentIndex().isValid()) return;
+    if (m_edit->completer()->popup()->isVisible() && m_edit->completer()->popup()->currentIndex().isValid())
+        return;
     if (text.trimmed().isEmpty()) return choose(std::nullopt);
     if (m_chosen && text == m_regions.labelOf(*m_chosen)) return;
     m_filter.setTyped(text);
@@ -87,7 +93,9 @@ void PlaceChooser::focusAndOpen() {
     openList();
 }
 
-QString PlaceChooser::hint() const { return m_hint->text(); }
+QString PlaceChooser::hint() const {
+    return m_hint->text();
+}
 
 void PlaceChooser::tell(const QString& hint) {
     m_hint->setText(hint);
@@ -115,7 +123,8 @@ void PlaceChooser::retranslate() {
     const bool destination = m_purpose == Purpose::Destination;
     m_label->setText(destination ? tr("&Go to:") : tr("Start &at:"));
     m_edit->setAccessibleName(destination ? tr("Destination") : tr("Start"));
-    m_edit->setPlaceholderText(destination ? tr("type a name or room number") : tr("not known, Farol looks for it"));
+    m_edit->setPlaceholderText(destination ? tr("type a name or room number")
+                                           : tr("not known, Farol looks for it"));
     m_edit->setToolTip(destination ? tr("Where to go: type part of a name, room number or level, then choose")
                                    : tr("Where the walk starts, if you know it"));
 }

@@ -7,7 +7,8 @@ SpeechDesk::SpeechDesk(Settings& settings, MakeOutput make, QObject* parent)
     if (!m_make) m_make = [](const VoiceChoice& choice) { return makeSpeechOutput(choice); };
     connect(&settings, &Settings::voiceChanged, this, &SpeechDesk::rebuild);
     connect(&settings, &Settings::languageChanged, this, &SpeechDesk::rebuild);
-    connect(&settings, &Settings::guidanceChanged, this, [this] { m_phrasebook.setStyle(m_settings.directionStyle()); });
+    connect(&settings, &Settings::guidanceChanged, this,
+            [this] { m_phrasebook.setStyle(m_settings.directionStyle()); });
     connect(&settings, &Settings::mutedChanged, this, [this](bool muted) {
         m_queue->setMuted(muted);
         setStatus(muted ? tr("Voice off: sentences are only shown") : m_output->description(), false);
@@ -26,9 +27,11 @@ void SpeechDesk::rebuild() {
         if (utterance.state == UtteranceState::Spoken && m_trouble) setStatus(m_output->description(), false);
         Q_EMIT utteranceChanged(utterance);
     });
-    connect(m_queue.get(), &SpeechQueue::trouble, this, [this](const QString& message) { setStatus(message, true); });
+    connect(m_queue.get(), &SpeechQueue::trouble, this,
+            [this](const QString& message) { setStatus(message, true); });
     m_queue->setMuted(m_settings.muted());
-    setStatus(m_settings.muted() ? tr("Voice off: sentences are only shown") : m_output->description(), false);
+    setStatus(m_settings.muted() ? tr("Voice off: sentences are only shown") : m_output->description(),
+              false);
 }
 
 void SpeechDesk::setStatus(const QString& status, bool trouble) {
@@ -38,13 +41,19 @@ void SpeechDesk::setStatus(const QString& status, bool trouble) {
     Q_EMIT statusChanged(status, trouble);
 }
 
-void SpeechDesk::add(const guidance::Cue& cue) { m_queue->add(cue); }
+void SpeechDesk::add(const guidance::Cue& cue) {
+    m_queue->add(cue);
+}
 
 void SpeechDesk::setNow(double time, const std::optional<RegionId>& region, std::uint64_t routeVersion) {
     m_queue->setNow(time, region, routeVersion);
 }
 
-void SpeechDesk::repeatLast() { m_queue->repeatLast(); }
-void SpeechDesk::reset() { m_queue->clear(); }
+void SpeechDesk::repeatLast() {
+    m_queue->repeatLast();
+}
+void SpeechDesk::reset() {
+    m_queue->clear();
+}
 
 } // namespace farol::ui

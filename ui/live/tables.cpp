@@ -29,7 +29,8 @@ QLabel* panelTitle(QWidget* parent) {
     font.setBold(true);
     label->setFont(font);
     label->setTextFormat(Qt::PlainText);
-    label->setMinimumHeight(label->fontMetrics().height() + 10); // level with headings that stand beside buttons
+    label->setMinimumHeight(label->fontMetrics().height() +
+                            10); // level with headings that stand beside buttons
     return label;
 }
 
@@ -58,7 +59,8 @@ QTableView* panelTable(QAbstractItemModel* model, int stretched, QWidget* parent
     return table;
 }
 
-void ShareBarDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const {
+void ShareBarDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
+                             const QModelIndex& index) const {
     const double share = index.data(VoteModel::ShareRole).toDouble();
     if (!(option.state & QStyle::State_Selected) && share > 0.0) {
         QRectF bar = QRectF(option.rect).adjusted(2, 3, -2, -3);

@@ -23,8 +23,8 @@ protected:
 
 /// A panel's heading.
 QLabel* panelTitle(QWidget* parent);
-/// A read-only table whose rows are chosen as a whole and which Tab leaves. `stretched`: the column that takes what
-/// room is left.
+/// A read-only table whose rows are chosen as a whole and which Tab leaves. `stretched`: the column that
+/// takes what room is left.
 QTableView* panelTable(QAbstractItemModel* model, int stretched, QWidget* parent);
 
 /// A bar behind the figure, as long as the share of the best vote.
@@ -33,7 +33,8 @@ class ShareBarDelegate : public QStyledItemDelegate {
 
 public:
     using QStyledItemDelegate::QStyledItemDelegate;
-    void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
+    void paint(QPainter* painter, const QStyleOptionViewItem& option,
+               const QModelIndex& index) const override;
 };
 
 } // namespace farol::ui

@@ -14,7 +14,8 @@ constexpr int kPullMs = 33; // 30 times a second
 
 } // namespace
 
-Walk::Walk(OpenSource open, QObject* parent) : QObject(parent), m_openSource(std::move(open)), m_background(this) {
+Walk::Walk(OpenSource open, QObject* parent)
+    : QObject(parent), m_openSource(std::move(open)), m_background(this) {
     if (!m_openSource)
         m_openSource = [](const std::string& name, const capture::SourceOptions& options) {
             return capture::openSource(name, options);
@@ -103,8 +104,10 @@ void Walk::setSource(const WalkSource& source) {
 
 void Walk::tellBusy() {
     QString text;
-    if (m_opening) text = tr("Opening %1…").arg(m_source.name);
-    else if (m_loading > 0) text = tr("Loading…");
+    if (m_opening)
+        text = tr("Opening %1…").arg(m_source.name);
+    else if (m_loading > 0)
+        text = tr("Loading…");
     if (text == m_busyText) return;
     m_busyText = text;
     Q_EMIT busyChanged(text);
@@ -139,8 +142,10 @@ void Walk::step() {
 
 void Walk::pause() {
     m_playWanted = false;
-    if (m_session) m_session->pause();
-    else if (m_opening) m_pauseWhenOpen = true;
+    if (m_session)
+        m_session->pause();
+    else if (m_opening)
+        m_pauseWhenOpen = true;
 }
 
 void Walk::stop() {
@@ -169,7 +174,8 @@ void Walk::open(bool stepOnly) {
     if (m_opening) return;
     if (!m_building) return Q_EMIT problem(Problem::Session, tr("Open a map first (Ctrl+O)."));
     if (m_source.name.isEmpty())
-        return Q_EMIT problem(Problem::Session, tr("Open a camera, a video or a folder of pictures first (Ctrl+P)."));
+        return Q_EMIT problem(Problem::Session,
+                              tr("Open a camera, a video or a folder of pictures first (Ctrl+P)."));
     dispose();
     m_pull.stop();
     const std::uint64_t serial = ++m_serial;
@@ -190,16 +196,18 @@ void Walk::open(bool stepOnly) {
     sourceOptions.framesPerSecond = m_source.framesPerSecond;
 
     using Made = Result<std::unique_ptr<session::NavigationSession>>;
-    const auto work = [open = m_openSource, options, sourceOptions, building = m_building, library = m_library,
-                       handlers = handlersFor(serial), folder = m_recording]() -> Made {
+    const auto work = [open = m_openSource, options, sourceOptions, building = m_building,
+                       library = m_library, handlers = handlersFor(serial), folder = m_recording]() -> Made {
         if (!folder.isEmpty() && !QDir().mkpath(QFileInfo(folder).absolutePath()))
-            return Error{ErrorCode::Io, "the folder for recordings cannot be made; choose another one in the settings",
+            return Error{ErrorCode::Io,
+                         "the folder for recordings cannot be made; choose another one in the settings",
                          toUtf8(QFileInfo(folder).absolutePath())};
         auto source = open(options.sourceName, sourceOptions);
         if (!source) return source.error();
         return session::NavigationSession::create(building, library, std::move(*source), options, handlers);
     };
-    m_background.run(work, [this, serial, stepOnly](Made result) { opened(serial, std::move(result), stepOnly); });
+    m_background.run(work,
+                     [this, serial, stepOnly](Made result) { opened(serial, std::move(result), stepOnly); });
 }
 
 session::SessionHandlers Walk::handlersFor(std::uint64_t serial) {
@@ -230,7 +238,8 @@ session::SessionHandlers Walk::handlersFor(std::uint64_t serial) {
     return handlers;
 }
 
-void Walk::opened(std::uint64_t serial, Result<std::unique_ptr<session::NavigationSession>> result, bool stepOnly) {
+void Walk::opened(std::uint64_t serial, Result<std::unique_ptr<session::NavigationSession>> result,
+                  bool stepOnly) {
     if (serial != m_serial) {
         if (!result) return;
         std::shared_ptr<session::NavigationSession> unwanted(std::move(*result));
@@ -290,7 +299,8 @@ void Walk::setStart(const std::optional<RegionId>& region) {
 void Walk::setDestination(const std::optional<RegionId>& region) {
     m_destination = region;
     if (m_session)
-        m_session->setDestination(region ? std::optional(building::Location{*region, std::nullopt}) : std::nullopt);
+        m_session->setDestination(region ? std::optional(building::Location{*region, std::nullopt})
+                                         : std::nullopt);
     Q_EMIT placesChanged();
 }
 

@@ -1,6 +1,7 @@
 #pragma once
-// The walk as the window sees it: material is loaded and opened in the background, a session is made from it, its
-// snapshots are pulled 30 times a second and its cues arrive in order. GUI thread; nothing here blocks it.
+// The walk as the window sees it: material is loaded and opened in the background, a session is made from it,
+// its snapshots are pulled 30 times a second and its cues arrive in order. GUI thread; nothing here blocks
+// it.
 
 #include "core/building/geopackage.h"
 #include "core/session/navigation_session.h"
@@ -27,8 +28,8 @@ class Walk : public QObject {
     Q_OBJECT
 
 public:
-    using OpenSource =
-        std::function<Result<std::unique_ptr<capture::FrameSource>>(const std::string&, const capture::SourceOptions&)>;
+    using OpenSource = std::function<Result<std::unique_ptr<capture::FrameSource>>(
+        const std::string&, const capture::SourceOptions&)>;
 
     /// `open` is replaced by tests; empty: camera, file, folder, address.
     explicit Walk(OpenSource open = {}, QObject* parent = nullptr);
@@ -48,7 +49,9 @@ public:
     void setDestination(const std::optional<RegionId>& region);
     void setVerbosity(guidance::Verbosity verbosity);
     /// Where the next walk is recorded; empty: it is not. A running walk keeps what it has.
-    void setRecordFolder(std::function<std::optional<QString>()> nextFolder) { m_nextFolder = std::move(nextFolder); }
+    void setRecordFolder(std::function<std::optional<QString>()> nextFolder) {
+        m_nextFolder = std::move(nextFolder);
+    }
 
     session::RunState state() const { return m_state; }
     bool active() const { return m_session != nullptr || m_opening; }
@@ -66,7 +69,7 @@ Q_SIGNALS:
     void mapChanged();
     void libraryChanged();
     void sourceChanged();
-    void placesChanged(); ///< start or destination
+    void placesChanged();                  ///< start or destination
     void busyChanged(const QString& what); ///< empty: nothing is being loaded
     void problem(farol::ui::Problem kind, const QString& message);
     void problemSolved(farol::ui::Problem kind);
@@ -79,7 +82,8 @@ Q_SIGNALS:
 
 private:
     void open(bool pausedAfterOne);
-    void opened(std::uint64_t serial, Result<std::unique_ptr<session::NavigationSession>> result, bool stepOnly);
+    void opened(std::uint64_t serial, Result<std::unique_ptr<session::NavigationSession>> result,
+                bool stepOnly);
     session::SessionHandlers handlersFor(std::uint64_t serial);
     void endSession(); ///< a wish to play once everything is loaded stays
     void dispose();

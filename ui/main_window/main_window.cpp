@@ -31,7 +31,9 @@ namespace farol::ui {
 
 namespace {
 
-QString keyOf(Problem kind) { return QStringLiteral("problem-%1").arg(static_cast<int>(kind)); }
+QString keyOf(Problem kind) {
+    return QStringLiteral("problem-%1").arg(static_cast<int>(kind));
+}
 
 const QString kExample = QStringLiteral("example");
 const QString kEnded = QStringLiteral("ended");
@@ -40,10 +42,16 @@ const QString kRecording = QStringLiteral("recording");
 
 } // namespace
 
-MainWindow::MainWindow(Settings& settings, Walk::OpenSource open, SpeechDesk::MakeOutput makeOutput, QWidget* parent)
-    : QMainWindow(parent), m_settings(settings), m_walk(std::move(open)), m_speech(settings, std::move(makeOutput)),
-      m_actions(new WindowActions(*this)), m_page(new LivePage(m_walk, m_speech, settings, this)),
-      m_status(new QLabel(this)), m_busy(new QProgressBar(this)) {
+MainWindow::MainWindow(Settings& settings, Walk::OpenSource open, SpeechDesk::MakeOutput makeOutput,
+                       QWidget* parent)
+    : QMainWindow(parent),
+      m_settings(settings),
+      m_walk(std::move(open)),
+      m_speech(settings, std::move(makeOutput)),
+      m_actions(new WindowActions(*this)),
+      m_page(new LivePage(m_walk, m_speech, settings, this)),
+      m_status(new QLabel(this)),
+      m_busy(new QProgressBar(this)) {
     setCentralWidget(m_page);
     m_status->setTextFormat(Qt::PlainText);
     m_busy->setRange(0, 0);
@@ -75,7 +83,8 @@ MainWindow::~MainWindow() = default;
 
 void MainWindow::applyLanguage(const Settings& settings) {
     const QString chosen = settings.language();
-    if (!installTranslation(chosen.isEmpty() ? QLocale::system().name() : chosen)) installTranslation(QStringLiteral("en"));
+    if (!installTranslation(chosen.isEmpty() ? QLocale::system().name() : chosen))
+        installTranslation(QStringLiteral("en"));
 }
 
 void MainWindow::connectFile() {
@@ -88,10 +97,11 @@ void MainWindow::connectFile() {
     connect(a.settings, &QAction::triggered, this, [this] { SettingsDialog(m_settings, this).exec(); });
     connect(a.keys, &QAction::triggered, this, [this] { KeysDialog(*m_actions, this).exec(); });
     connect(a.about, &QAction::triggered, this, [this] {
-        QMessageBox::about(this, tr("About Farol"),
-                           tr("Farol %1\n\nGuides a blind person through a building with one ordinary camera: it "
-                              "recognises what it was taught, works out the place, and speaks the way.")
-                               .arg(QApplication::applicationVersion()));
+        QMessageBox::about(
+            this, tr("About Farol"),
+            tr("Farol %1\n\nGuides a blind person through a building with one ordinary camera: it "
+               "recognises what it was taught, works out the place, and speaks the way.")
+                .arg(QApplication::applicationVersion()));
     });
     connect(&m_settings, &Settings::recentChanged, this, &MainWindow::fillRecent);
 }
@@ -99,8 +109,10 @@ void MainWindow::connectFile() {
 void MainWindow::connectWalk() {
     const WindowActions& a = *m_actions;
     connect(a.play, &QAction::triggered, this, [this] {
-        if (m_walk.state() == session::RunState::Running) m_walk.pause();
-        else m_walk.play();
+        if (m_walk.state() == session::RunState::Running)
+            m_walk.pause();
+        else
+            m_walk.play();
     });
     connect(a.step, &QAction::triggered, &m_walk, &Walk::step);
     connect(a.stop, &QAction::triggered, &m_walk, &Walk::stop);
@@ -115,7 +127,8 @@ void MainWindow::connectWalk() {
     connect(a.start, &QAction::triggered, this, [this] { m_page->startPlace().focusAndOpen(); });
     connect(a.noDestination, &QAction::triggered, this, [this] { m_walk.setDestination(std::nullopt); });
     connect(a.record, &QAction::toggled, this, &MainWindow::toggleRecording);
-    connect(&m_settings, &Settings::guidanceChanged, this, [this] { m_walk.setVerbosity(m_settings.verbosity()); });
+    connect(&m_settings, &Settings::guidanceChanged, this,
+            [this] { m_walk.setVerbosity(m_settings.verbosity()); });
 }
 
 void MainWindow::connectVoice() {
@@ -125,7 +138,8 @@ void MainWindow::connectVoice() {
     connect(&m_settings, &Settings::mutedChanged, a.mute, &QAction::setChecked);
     a.mute->setChecked(m_settings.muted());
     connect(a.english, &QAction::triggered, this, [this] { m_settings.setLanguage(QStringLiteral("en")); });
-    connect(a.portuguese, &QAction::triggered, this, [this] { m_settings.setLanguage(QStringLiteral("pt")); });
+    connect(a.portuguese, &QAction::triggered, this,
+            [this] { m_settings.setLanguage(QStringLiteral("pt")); });
     connect(&m_settings, &Settings::languageChanged, this, [this] { applyLanguage(m_settings); });
 }
 
@@ -152,7 +166,8 @@ void MainWindow::connectView() {
 void MainWindow::connectNews() {
     connect(&m_walk, &Walk::stateChanged, this, &MainWindow::showState);
     connect(&m_walk, &Walk::problem, this, &MainWindow::showProblem);
-    connect(&m_walk, &Walk::problemSolved, this, [this](Problem kind) { m_page->banners().hide(keyOf(kind)); });
+    connect(&m_walk, &Walk::problemSolved, this,
+            [this](Problem kind) { m_page->banners().hide(keyOf(kind)); });
     connect(&m_walk, &Walk::remark, this, [this](const QString& message) {
         m_page->banners().show(kRemark, {BannerKind::Warning, message, {}, {}, true});
     });
@@ -197,8 +212,10 @@ void MainWindow::resolvePlaces() {
         if (where.isEmpty()) return;
         const auto found = building::resolveWhere(*m_walk.building(), toUtf8(where));
         where.clear(); // of this map only
-        if (found) use(found->region);
-        else showProblem(Problem::Session, toQString(found.error().text()));
+        if (found)
+            use(found->region);
+        else
+            showProblem(Problem::Session, toQString(found.error().text()));
     };
     look(m_from, [this](const RegionId& region) { m_walk.setStart(region); });
     look(m_to, [this](const RegionId& region) { m_walk.setDestination(region); });
@@ -210,20 +227,33 @@ void MainWindow::showState(session::RunState state) {
     m_actions->step->setEnabled(!m_walk.loading());
     QString text;
     switch (state) {
-    case session::RunState::Idle: text = tr("Ready"); break;
-    case session::RunState::Running: text = tr("Walking"); break;
-    case session::RunState::Paused: text = tr("Held"); break;
-    case session::RunState::Ended: text = tr("The walk has ended"); break;
-    case session::RunState::Failed: text = tr("The walk could not go on"); break;
+    case session::RunState::Idle:
+        text = tr("Ready");
+        break;
+    case session::RunState::Running:
+        text = tr("Walking");
+        break;
+    case session::RunState::Paused:
+        text = tr("Held");
+        break;
+    case session::RunState::Ended:
+        text = tr("The walk has ended");
+        break;
+    case session::RunState::Failed:
+        text = tr("The walk could not go on");
+        break;
     }
     if (m_walk.loading()) text = tr("Loading…");
     if (!m_walk.recording().isEmpty() && state != session::RunState::Idle)
-        text += QStringLiteral(" · ") + tr("recorded in %1").arg(QDir::toNativeSeparators(m_walk.recording()));
+        text +=
+            QStringLiteral(" · ") + tr("recorded in %1").arg(QDir::toNativeSeparators(m_walk.recording()));
     m_status->setText(text);
     if (state == session::RunState::Ended)
-        m_page->banners().show(kEnded, {BannerKind::Note, tr("The walk has ended: there are no more pictures."),
-                                        tr("Play &again"), [this] { m_walk.play(); }, true});
-    else m_page->banners().hide(kEnded);
+        m_page->banners().show(kEnded,
+                               {BannerKind::Note, tr("The walk has ended: there are no more pictures."),
+                                tr("Play &again"), [this] { m_walk.play(); }, true});
+    else
+        m_page->banners().hide(kEnded);
 }
 
 void MainWindow::showProblem(Problem kind, const QString& message) {
@@ -242,7 +272,8 @@ void MainWindow::showProblem(Problem kind, const QString& message) {
         text.act = [this] { chooseSource(); };
         break;
     case Problem::Session:
-    case Problem::Recording: break;
+    case Problem::Recording:
+        break;
     }
     m_page->banners().show(keyOf(kind), text);
 }
@@ -271,8 +302,8 @@ void MainWindow::changeSpeed(int by) {
 }
 
 void MainWindow::movePane(int by) {
-    std::vector<QWidget*> panes{&m_page->destination().edit(), &m_page->startPlace().edit(), &m_page->framePanel().view(),
-                                &m_page->mapPanel().view()};
+    std::vector<QWidget*> panes{&m_page->destination().edit(), &m_page->startPlace().edit(),
+                                &m_page->framePanel().view(), &m_page->mapPanel().view()};
     for (QWidget* table : m_page->tables()) panes.push_back(table);
     int at = by > 0 ? -1 : 0;
     for (std::size_t i = 0; i < panes.size(); ++i)
@@ -286,24 +317,30 @@ void MainWindow::fillRecent() {
         menu->clear();
         for (const QString& item : m_settings.recent(kind)) {
             QString text = item;
-            menu->addAction(text.replace(QLatin1Char('&'), QLatin1String("&&")), this, [item, open] { open(item); });
+            menu->addAction(text.replace(QLatin1Char('&'), QLatin1String("&&")), this,
+                            [item, open] { open(item); });
         }
         menu->setEnabled(!menu->isEmpty());
     };
     fill(m_actions->recentMaps, RecentKind::Map, [this](const QString& item) { m_walk.loadMap(item); });
-    fill(m_actions->recentLibraries, RecentKind::Library, [this](const QString& item) { m_walk.loadLibrary(item); });
-    fill(m_actions->recentSources, RecentKind::Source, [this](const QString& item) { m_walk.setSource({item, 0.0}); });
+    fill(m_actions->recentLibraries, RecentKind::Library,
+         [this](const QString& item) { m_walk.loadLibrary(item); });
+    fill(m_actions->recentSources, RecentKind::Source, [this](const QString& item) {
+        m_walk.setSource({item, 0.0});
+    });
 }
 
 void MainWindow::chooseMap() {
-    const QString file = QFileDialog::getOpenFileName(this, tr("Open a map"), QFileInfo(m_walk.mapName()).path(),
-                                                      tr("Maps (%1);;All files (%2)").arg(QStringLiteral("*.gpkg"), QStringLiteral("*")));
+    const QString file = QFileDialog::getOpenFileName(
+        this, tr("Open a map"), QFileInfo(m_walk.mapName()).path(),
+        tr("Maps (%1);;All files (%2)").arg(QStringLiteral("*.gpkg"), QStringLiteral("*")));
     if (!file.isEmpty()) m_walk.loadMap(file);
 }
 
 void MainWindow::chooseLibrary() {
-    const QString file = QFileDialog::getOpenFileName(this, tr("Open a landmark library"), QFileInfo(m_walk.libraryName()).path(),
-                                                      tr("Landmark libraries (%1);;All files (%2)").arg(QStringLiteral("*.gpkg"), QStringLiteral("*")));
+    const QString file = QFileDialog::getOpenFileName(
+        this, tr("Open a landmark library"), QFileInfo(m_walk.libraryName()).path(),
+        tr("Landmark libraries (%1);;All files (%2)").arg(QStringLiteral("*.gpkg"), QStringLiteral("*")));
     if (!file.isEmpty()) m_walk.loadLibrary(file);
 }
 

@@ -21,8 +21,8 @@ class MainWindow : public QMainWindow {
 
 public:
     /// `open` and `makeOutput` are replaced by tests. The settings must outlive the window.
-    explicit MainWindow(Settings& settings, Walk::OpenSource open = {}, SpeechDesk::MakeOutput makeOutput = {},
-                        QWidget* parent = nullptr);
+    explicit MainWindow(Settings& settings, Walk::OpenSource open = {},
+                        SpeechDesk::MakeOutput makeOutput = {}, QWidget* parent = nullptr);
     ~MainWindow() override;
 
     void begin(const StartOptions& options);

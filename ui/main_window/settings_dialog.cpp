@@ -21,9 +21,15 @@ void name(QWidget* widget, const QString& accessible, const QString& tip) {
 } // namespace
 
 SettingsDialog::SettingsDialog(Settings& settings, QWidget* parent)
-    : QDialog(parent), m_settings(settings), m_language(new QComboBox(this)), m_style(new QComboBox(this)),
-      m_verbosity(new QComboBox(this)), m_engine(new QComboBox(this)), m_voice(new QComboBox(this)),
-      m_rate(new QSlider(Qt::Horizontal, this)), m_volume(new QSlider(Qt::Horizontal, this)),
+    : QDialog(parent),
+      m_settings(settings),
+      m_language(new QComboBox(this)),
+      m_style(new QComboBox(this)),
+      m_verbosity(new QComboBox(this)),
+      m_engine(new QComboBox(this)),
+      m_voice(new QComboBox(this)),
+      m_rate(new QSlider(Qt::Horizontal, this)),
+      m_volume(new QSlider(Qt::Horizontal, this)),
       m_folder(new QLineEdit(this)) {
     setWindowTitle(tr("Settings"));
     auto* form = new QFormLayout(this);
@@ -96,7 +102,8 @@ void SettingsDialog::buildFolder(QFormLayout& form) {
     auto* browse = new QPushButton(tr("&Browse…"), this);
     name(browse, tr("Browse for the folder of recordings"), tr("Choose where recorded walks are kept"));
     connect(browse, &QPushButton::clicked, this, [this] {
-        const QString folder = QFileDialog::getExistingDirectory(this, tr("Folder of recordings"), m_folder->text());
+        const QString folder =
+            QFileDialog::getExistingDirectory(this, tr("Folder of recordings"), m_folder->text());
         if (!folder.isEmpty()) m_folder->setText(folder);
     });
     auto* row = new QHBoxLayout;

@@ -14,10 +14,15 @@
 namespace farol::ui {
 
 SourceDialog::SourceDialog(const WalkSource& current, QWidget* parent)
-    : QDialog(parent), m_camera(new QRadioButton(tr("&Camera number"), this)),
-      m_file(new QRadioButton(tr("&Video file"), this)), m_folder(new QRadioButton(tr("&Folder of pictures"), this)),
-      m_address(new QRadioButton(tr("Network &address"), this)), m_number(new QSpinBox(this)),
-      m_fileEdit(new QLineEdit(this)), m_folderEdit(new QLineEdit(this)), m_addressEdit(new QLineEdit(this)),
+    : QDialog(parent),
+      m_camera(new QRadioButton(tr("&Camera number"), this)),
+      m_file(new QRadioButton(tr("&Video file"), this)),
+      m_folder(new QRadioButton(tr("&Folder of pictures"), this)),
+      m_address(new QRadioButton(tr("Network &address"), this)),
+      m_number(new QSpinBox(this)),
+      m_fileEdit(new QLineEdit(this)),
+      m_folderEdit(new QLineEdit(this)),
+      m_addressEdit(new QLineEdit(this)),
       m_rate(new QDoubleSpinBox(this)),
       m_buttons(new QDialogButtonBox(QDialogButtonBox::Open | QDialogButtonBox::Cancel, this)) {
     setWindowTitle(tr("Open pictures"));
@@ -73,10 +78,14 @@ SourceDialog::SourceDialog(const WalkSource& current, QWidget* parent)
 
     const QString& name = current.name;
     m_camera->setChecked(true);
-    if (name.startsWith(QLatin1String("camera:"))) m_number->setValue(name.mid(7).toInt());
-    else if (name.contains(QLatin1String("://"))) (m_address->setChecked(true), m_addressEdit->setText(name));
-    else if (QFileInfo(name).isDir()) (m_folder->setChecked(true), m_folderEdit->setText(name));
-    else if (!name.isEmpty()) (m_file->setChecked(true), m_fileEdit->setText(name));
+    if (name.startsWith(QLatin1String("camera:")))
+        m_number->setValue(name.mid(7).toInt());
+    else if (name.contains(QLatin1String("://")))
+        (m_address->setChecked(true), m_addressEdit->setText(name));
+    else if (QFileInfo(name).isDir())
+        (m_folder->setChecked(true), m_folderEdit->setText(name));
+    else if (!name.isEmpty())
+        (m_file->setChecked(true), m_fileEdit->setText(name));
     refresh();
 }
 
@@ -84,10 +93,12 @@ void SourceDialog::browse() {
     if (m_file->isChecked()) {
         const QString name = QFileDialog::getOpenFileName(
             this, tr("Open a video"), m_fileEdit->text(),
-            tr("Videos (%1);;All files (%2)").arg(QStringLiteral("*.mp4 *.avi *.mkv *.mov *.webm"), QStringLiteral("*")));
+            tr("Videos (%1);;All files (%2)")
+                .arg(QStringLiteral("*.mp4 *.avi *.mkv *.mov *.webm"), QStringLiteral("*")));
         if (!name.isEmpty()) m_fileEdit->setText(name);
     } else {
-        const QString name = QFileDialog::getExistingDirectory(this, tr("Open a folder of pictures"), m_folderEdit->text());
+        const QString name =
+            QFileDialog::getExistingDirectory(this, tr("Open a folder of pictures"), m_folderEdit->text());
         if (!name.isEmpty()) m_folderEdit->setText(name);
     }
 }

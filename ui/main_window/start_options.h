@@ -8,8 +8,8 @@ namespace farol::ui {
 struct StartOptions {
     QString map, library, source; ///< empty: none
     double framesPerSecond = 0.0;
-    QString from, to;             ///< WHERE of the command line
-    QString banner;               ///< which example is running
+    QString from, to; ///< WHERE of the command line
+    QString banner;   ///< which example is running
     bool play = false;
 };
 

@@ -38,7 +38,9 @@ QAction* WindowActions::add(QMenu* menu, const QList<QKeySequence>& shortcuts, b
     return action;
 }
 
-void WindowActions::addGlyph(QAction* action, Glyph glyph) { m_icons.push_back({action, glyph}); }
+void WindowActions::addGlyph(QAction* action, Glyph glyph) {
+    m_icons.push_back({action, glyph});
+}
 
 void WindowActions::buildMenus() {
     QMenuBar* bar = m_window.menuBar();
@@ -117,7 +119,8 @@ void WindowActions::buildToolBar() {
     addGlyph(zoomOut, Glyph::ZoomOut);
     addGlyph(destination, Glyph::Go);
     speed = new QComboBox(m_bar);
-    for (const double factor : kSpeeds) speed->addItem(QStringLiteral("%1×").arg(QLocale().toString(factor)), factor);
+    for (const double factor : kSpeeds)
+        speed->addItem(QStringLiteral("%1×").arg(QLocale().toString(factor)), factor);
     speed->setCurrentIndex(speed->findData(1.0));
     m_speedLabel = new QLabel(m_bar);
     m_speedLabel->setBuddy(speed);
@@ -180,9 +183,11 @@ void WindowActions::retranslate() {
     recentSources->setTitle(tr("Recent pi&ctures"));
 
     name(openMap, tr("&Open map…"), tr("Map"), tr("Open the map of a building"));
-    name(openLibrary, tr("Open landmark &library…"), tr("Landmarks"), tr("Open the landmarks that Farol was taught"));
+    name(openLibrary, tr("Open landmark &library…"), tr("Landmarks"),
+         tr("Open the landmarks that Farol was taught"));
     name(closeLibrary, tr("&Close landmark library"), tr("Close"), tr("Walk without taught landmarks"));
-    name(openSource, tr("Open &pictures…"), tr("Pictures"), tr("Choose a camera, a video, a folder or an address"));
+    name(openSource, tr("Open &pictures…"), tr("Pictures"),
+         tr("Choose a camera, a video, a folder or an address"));
     name(settings, tr("&Settings…"), tr("Settings"), tr("Language, voice and what is told"));
     name(quit, tr("&Quit"), tr("Quit"), tr("Leave Farol"));
 
@@ -207,9 +212,11 @@ void WindowActions::retranslate() {
     name(zoomOut, tr("&Smaller map"), tr("Smaller"), tr("Show the map smaller"));
     name(follow, tr("&Follow to other floors"), tr("Follow"), tr("Switch to the floor where you are"));
     name(grid, tr("&Grid over the picture"), tr("Grid"), tr("Show the nine parts of the picture"));
-    name(rejected, tr("&What was not accepted"), tr("Not accepted"), tr("Show what was nearly recognised, and why not"));
+    name(rejected, tr("&What was not accepted"), tr("Not accepted"),
+         tr("Show what was nearly recognised, and why not"));
     name(nextPane, tr("&Next part of the window"), tr("Next"), tr("Go to the next part of the window"));
-    name(previousPane, tr("&Previous part of the window"), tr("Previous"), tr("Go to the previous part of the window"));
+    name(previousPane, tr("&Previous part of the window"), tr("Previous"),
+         tr("Go to the previous part of the window"));
 
     name(keys, tr("&Keys"), tr("Keys"), tr("Every key of this window"));
     name(about, tr("&About Farol"), tr("About"), tr("What Farol is"));

@@ -6,7 +6,9 @@ namespace farol::ui {
 
 namespace {
 
-double pixelsBetween(QPointF a, QPointF b) { return std::hypot(a.x() - b.x(), a.y() - b.y()); }
+double pixelsBetween(QPointF a, QPointF b) {
+    return std::hypot(a.x() - b.x(), a.y() - b.y());
+}
 
 } // namespace
 
@@ -31,7 +33,8 @@ std::optional<MapHit> hitAt(QPointF screen, const MapScene& scene, double level,
     if (hit) return hit;
 
     const Point2 point = view.mapFromScreen(screen);
-    for (auto shape = floor->regions.rbegin(); shape != floor->regions.rend(); ++shape) // the smallest is last
+    for (auto shape = floor->regions.rbegin(); shape != floor->regions.rend();
+         ++shape) // the smallest is last
         if (contains(scene.building().regions()[shape->index].polygon, point))
             return MapHit{MapHit::What::Region, shape->index};
     return std::nullopt;
@@ -40,18 +43,24 @@ std::optional<MapHit> hitAt(QPointF screen, const MapScene& scene, double level,
 Point2 positionOf(const MapHit& hit, const MapScene& scene) {
     const building::Building& building = scene.building();
     switch (hit.what) {
-    case MapHit::What::Landmark: return building.landmarks()[hit.index].position;
-    case MapHit::What::Access: return building.accesses()[hit.index].midpoint();
-    case MapHit::What::Region: break;
+    case MapHit::What::Landmark:
+        return building.landmarks()[hit.index].position;
+    case MapHit::What::Access:
+        return building.accesses()[hit.index].midpoint();
+    case MapHit::What::Region:
+        break;
     }
     return pointInside(building.regions()[hit.index].polygon);
 }
 
 double levelOf(const MapHit& hit, const building::Building& building) {
     switch (hit.what) {
-    case MapHit::What::Landmark: return building.landmarks()[hit.index].level;
-    case MapHit::What::Access: return building.accesses()[hit.index].level;
-    case MapHit::What::Region: break;
+    case MapHit::What::Landmark:
+        return building.landmarks()[hit.index].level;
+    case MapHit::What::Access:
+        return building.accesses()[hit.index].level;
+    case MapHit::What::Region:
+        break;
     }
     return building.regions()[hit.index].level;
 }

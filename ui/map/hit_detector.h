@@ -16,7 +16,8 @@ struct MapHit {
     friend bool operator==(const MapHit&, const MapHit&) = default;
 };
 
-/// Landmarks before accesses before regions: the smaller thing is the one meant. `tolerancePx` around symbols.
+/// Landmarks before accesses before regions: the smaller thing is the one meant. `tolerancePx` around
+/// symbols.
 std::optional<MapHit> hitAt(QPointF screen, const MapScene& scene, double level, const ViewTransform& view,
                             double tolerancePx = 9.0);
 /// Where a thing stands on its level.

@@ -49,7 +49,8 @@ QColor MapColours::heat(double share) const {
     const QColor strong = dark ? QColor(0x8a5200) : QColor(0xffb52e);
     const double t = std::clamp(share, 0.0, 1.0);
     const auto mix = [t](int low, int high) { return static_cast<int>(low + t * (high - low)); };
-    return {mix(floor.red(), strong.red()), mix(floor.green(), strong.green()), mix(floor.blue(), strong.blue())};
+    return {mix(floor.red(), strong.red()), mix(floor.green(), strong.green()),
+            mix(floor.blue(), strong.blue())};
 }
 
 } // namespace farol::ui

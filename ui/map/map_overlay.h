@@ -13,10 +13,10 @@ namespace farol::ui {
 struct MapOverlay {
     std::optional<localisation::Fix> fix;
     std::shared_ptr<const routing::Route> route;
-    std::size_t regionsPassed = 0;             ///< of the route
+    std::size_t regionsPassed = 0; ///< of the route
     std::optional<RegionId> destination;
     std::optional<RegionId> start;
-    double sureConfidence = 0.5;               ///< from here on a place counts as sure
+    double sureConfidence = 0.5; ///< from here on a place counts as sure
 
     /// 0 to 1: the share of the best vote; 0 for a region without one.
     double heatOf(const RegionId& region) const;

@@ -15,10 +15,10 @@ namespace farol::ui {
 
 namespace {
 
-constexpr double kSymbolsFromScale = 3.0;  // pixels a metre; smaller maps would be all symbols
+constexpr double kSymbolsFromScale = 3.0; // pixels a metre; smaller maps would be all symbols
 constexpr double kLargestSymbol = 17.0;
-constexpr double kSmallestSymbol = 6.0;  // a plain dot
-constexpr double kGlyphFrom = 12.0;      // smaller symbols have no drawing inside
+constexpr double kSmallestSymbol = 6.0; // a plain dot
+constexpr double kGlyphFrom = 12.0;     // smaller symbols have no drawing inside
 
 QPolygonF toScreen(const Polyline& line, const ViewTransform& view) {
     QPolygonF polygon;
@@ -37,9 +37,13 @@ QColor withAlpha(QColor colour, int alpha) {
 
 } // namespace
 
-MapPainter::MapPainter(const MapScene& scene, double level, const ViewTransform& view, const MapColours& colours,
-                       QFont font)
-    : m_scene(scene), m_level(scene.level(level)), m_view(view), m_colours(colours), m_font(std::move(font)) {}
+MapPainter::MapPainter(const MapScene& scene, double level, const ViewTransform& view,
+                       const MapColours& colours, QFont font)
+    : m_scene(scene),
+      m_level(scene.level(level)),
+      m_view(view),
+      m_colours(colours),
+      m_font(std::move(font)) {}
 
 double MapPainter::symbolSize() const {
     return std::clamp(m_view.pixelsPerMetre() * 0.9, kSmallestSymbol, kLargestSymbol);
@@ -89,7 +93,9 @@ void MapPainter::paintFurnishing(QPainter& painter) const {
 
 void MapPainter::paintAccess(QPainter& painter, const AccessShape& shape) const {
     const building::Access& access = m_scene.building().accesses()[shape.index];
-    const QColor colour = access.closed ? m_colours.closed : access.changesLevel() ? m_colours.shaft : m_colours.door;
+    const QColor colour = access.closed           ? m_colours.closed
+                          : access.changesLevel() ? m_colours.shaft
+                                                  : m_colours.door;
     const QPointF middle = screen(shape.middle);
     if (shape.line.size() >= 2) { // the gap in the wall, then the leaf
         const QPolygonF gap = toScreen(shape.line, m_view);
@@ -99,7 +105,8 @@ void MapPainter::paintAccess(QPainter& painter, const AccessShape& shape) const 
         painter.setPen(QPen(colour, 2.6, dashed ? Qt::DotLine : Qt::SolidLine, Qt::FlatCap));
         painter.drawPolyline(gap);
     }
-    const bool symbol = access.changesLevel() || access.kind == building::AccessKind::Ramp || shape.line.size() < 2;
+    const bool symbol =
+        access.changesLevel() || access.kind == building::AccessKind::Ramp || shape.line.size() < 2;
     if (symbol && m_view.pixelsPerMetre() >= kSymbolsFromScale) {
         painter.setPen(QPen(colour, 1.2));
         painter.setBrush(m_colours.floor);
@@ -177,8 +184,11 @@ void MapPainter::paintNames(QPainter& painter) const {
         const double slack = std::max(0.0, (along - width) / 2);
         for (const double share : {0.0, -0.5, 0.5, -1.0, 1.0}) {
             const QPointF centre = home + (upright ? QPointF(0, share * slack) : QPointF(share * slack, 0));
-            const QRectF box(centre.x() - size.width() / 2, centre.y() - size.height() / 2, size.width(), size.height());
-            if (std::any_of(taken.begin(), taken.end(), [&](const QRectF& other) { return other.intersects(box); })) continue;
+            const QRectF box(centre.x() - size.width() / 2, centre.y() - size.height() / 2, size.width(),
+                             size.height());
+            if (std::any_of(taken.begin(), taken.end(),
+                            [&](const QRectF& other) { return other.intersects(box); }))
+                continue;
             paintText(painter, centre, shape.label, upright);
             taken.push_back(box);
             break;
@@ -197,7 +207,8 @@ void MapPainter::paintArrows(QPainter& painter, const QPolygonF& line) const {
         double at = untilNext;
         for (; at < stepLength; at += 44.0) {
             const QPointF tip = line[i - 1] + along * (at + 3.0);
-            painter.drawPolyline(QPolygonF{tip - along * 5.0 + across * 4.0, tip, tip - along * 5.0 - across * 4.0});
+            painter.drawPolyline(
+                QPolygonF{tip - along * 5.0 + across * 4.0, tip, tip - along * 5.0 - across * 4.0});
         }
         untilNext = at - stepLength;
     }
@@ -274,7 +285,8 @@ void MapPainter::paintPlaceMark(QPainter& painter, const MapOverlay& overlay) co
         const QPointF side(-ahead.y(), ahead.x());
         painter.setPen(QPen(m_colours.fixCasing, 1.5));
         painter.setBrush(m_colours.fix);
-        painter.drawPolygon(QPolygonF{at + ahead * 20.0, at + ahead * 7.0 + side * 7.0, at + ahead * 7.0 - side * 7.0});
+        painter.drawPolygon(
+            QPolygonF{at + ahead * 20.0, at + ahead * 7.0 + side * 7.0, at + ahead * 7.0 - side * 7.0});
     }
     painter.setPen(QPen(m_colours.fixCasing, 2.5));
     painter.setBrush(fix.position ? m_colours.fix : m_colours.floor);

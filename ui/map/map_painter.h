@@ -16,9 +16,10 @@ namespace farol::ui {
 
 class MapPainter {
 public:
-    MapPainter(const MapScene& scene, double level, const ViewTransform& view, const MapColours& colours, QFont font);
+    MapPainter(const MapScene& scene, double level, const ViewTransform& view, const MapColours& colours,
+               QFont font);
 
-    void paintGround(QPainter& painter) const;   ///< floors
+    void paintGround(QPainter& painter) const; ///< floors
     void paintTint(QPainter& painter, const MapOverlay& overlay) const;
     void paintFurnishing(QPainter& painter) const; ///< borders, walls, accesses, landmarks
     void paintRoute(QPainter& painter, const MapOverlay& overlay) const;
@@ -31,7 +32,8 @@ public:
 private:
     void paintAccess(QPainter& painter, const AccessShape& shape) const;
     void paintLandmark(QPainter& painter, const building::Landmark& landmark) const;
-    void paintOutline(QPainter& painter, const RegionShape& shape, const QColor& colour, Qt::PenStyle style) const;
+    void paintOutline(QPainter& painter, const RegionShape& shape, const QColor& colour,
+                      Qt::PenStyle style) const;
     void paintArrows(QPainter& painter, const QPolygonF& line) const;
     void paintPlaceMark(QPainter& painter, const MapOverlay& overlay) const;
     void paintPin(QPainter& painter, const RegionId& region, const QColor& colour) const;

@@ -34,17 +34,20 @@ MapScene::MapScene(std::shared_ptr<const building::Building> building) : m_build
     addAccesses();
     for (std::size_t i = 0; i < m_building->landmarks().size(); ++i)
         levelFor(m_building->landmarks()[i].level).landmarks.push_back(i);
-    for (const building::Wall& wall : m_building->data().walls) addLine(levelFor(wall.level).walls, wall.line);
+    for (const building::Wall& wall : m_building->data().walls)
+        addLine(levelFor(wall.level).walls, wall.line);
 
     std::sort(m_levels.begin(), m_levels.end(),
               [](const LevelScene& a, const LevelScene& b) { return a.ordinal < b.ordinal; });
     for (LevelScene& level : m_levels) {
-        std::stable_sort(level.regions.begin(), level.regions.end(), [](const RegionShape& a, const RegionShape& b) {
-            return a.bounds.width() * a.bounds.height() > b.bounds.width() * b.bounds.height();
-        });
+        std::stable_sort(
+            level.regions.begin(), level.regions.end(), [](const RegionShape& a, const RegionShape& b) {
+                return a.bounds.width() * a.bounds.height() > b.bounds.width() * b.bounds.height();
+            });
         QRectF bounds = level.walls.boundingRect();
         for (const RegionShape& shape : level.regions) bounds = bounds.united(shape.bounds);
-        for (const std::size_t index : level.landmarks) extend(bounds, m_building->landmarks()[index].position);
+        for (const std::size_t index : level.landmarks)
+            extend(bounds, m_building->landmarks()[index].position);
         level.bounds = {{bounds.left(), bounds.top()}, {bounds.right(), bounds.bottom()}};
     }
 }
@@ -79,7 +82,8 @@ void MapScene::addAccesses() {
         const AccessShape shape{i, access.line, access.midpoint()};
         levelFor(access.level).accesses.push_back(shape);
         const building::Region* far = m_building->region(access.regionB);
-        if (access.changesLevel() && far && far->level != access.level) levelFor(far->level).accesses.push_back(shape);
+        if (access.changesLevel() && far && far->level != access.level)
+            levelFor(far->level).accesses.push_back(shape);
     }
 }
 

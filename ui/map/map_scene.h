@@ -15,7 +15,7 @@ struct RegionShape {
     std::size_t index = 0; ///< in Building::regions()
     QPainterPath path;     ///< metres, y north
     QRectF bounds;
-    Point2 labelAt;        ///< surely inside
+    Point2 labelAt; ///< surely inside
     QString label;
 };
 
@@ -34,7 +34,8 @@ struct LevelScene {
     Box2 bounds;
 };
 
-/// Built once per building; never changed afterwards. Stairs and lifts are drawn on both of the levels they join.
+/// Built once per building; never changed afterwards. Stairs and lifts are drawn on both of the levels they
+/// join.
 class MapScene {
 public:
     explicit MapScene(std::shared_ptr<const building::Building> building);

@@ -36,7 +36,8 @@ void MapView::setBuilding(const std::shared_ptr<const building::Building>& build
     m_overlay = {};
     m_hovered.reset();
     m_selected.reset();
-    if (m_scene && !m_scene->levels().empty() && !m_scene->level(m_level)) m_level = m_scene->levels().front().ordinal;
+    if (m_scene && !m_scene->levels().empty() && !m_scene->level(m_level))
+        m_level = m_scene->levels().front().ordinal;
     fit();
     Q_EMIT levelChanged(m_level);
 }
@@ -152,13 +153,16 @@ void MapView::paintEvent(QPaintEvent* /*event*/) {
 
 void MapView::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
-    if (m_fitted) fit();
-    else setViewTransform(m_view.resized(size()));
+    if (m_fitted)
+        fit();
+    else
+        setViewTransform(m_view.resized(size()));
 }
 
 void MapView::wheelEvent(QWheelEvent* event) {
     m_fitted = false;
-    setViewTransform(m_view.zoomedAt(event->position(), std::pow(kZoomStep, event->angleDelta().y() / 120.0)));
+    setViewTransform(
+        m_view.zoomedAt(event->position(), std::pow(kZoomStep, event->angleDelta().y() / 120.0)));
     Q_EMIT movedByHand();
     event->accept();
 }
@@ -229,17 +233,26 @@ void MapView::keyPressEvent(QKeyEvent* event) {
         Q_EMIT movedByHand();
     };
     switch (event->key()) {
-    case Qt::Key_Left: return pan(kPanStepPx, 0);
-    case Qt::Key_Right: return pan(-kPanStepPx, 0);
-    case Qt::Key_Up: return pan(0, kPanStepPx);
-    case Qt::Key_Down: return pan(0, -kPanStepPx);
+    case Qt::Key_Left:
+        return pan(kPanStepPx, 0);
+    case Qt::Key_Right:
+        return pan(-kPanStepPx, 0);
+    case Qt::Key_Up:
+        return pan(0, kPanStepPx);
+    case Qt::Key_Down:
+        return pan(0, -kPanStepPx);
     case Qt::Key_Plus:
-    case Qt::Key_Equal: return zoom(kZoomStep);
-    case Qt::Key_Minus: return zoom(1.0 / kZoomStep);
+    case Qt::Key_Equal:
+        return zoom(kZoomStep);
+    case Qt::Key_Minus:
+        return zoom(1.0 / kZoomStep);
     case Qt::Key_0:
-    case Qt::Key_Home: return fit();
-    case Qt::Key_PageUp: return stepLevel(1);
-    case Qt::Key_PageDown: return stepLevel(-1);
+    case Qt::Key_Home:
+        return fit();
+    case Qt::Key_PageUp:
+        return stepLevel(1);
+    case Qt::Key_PageDown:
+        return stepLevel(-1);
     case Qt::Key_Escape:
         if (m_selected) return select(std::nullopt, false);
         break;
@@ -247,7 +260,8 @@ void MapView::keyPressEvent(QKeyEvent* event) {
     case Qt::Key_Enter:
         if (m_selected) Q_EMIT activated(*m_selected);
         return;
-    default: break;
+    default:
+        break;
     }
     QWidget::keyPressEvent(event);
 }
@@ -268,8 +282,10 @@ bool MapView::event(QEvent* event) {
     if (event->type() == QEvent::ToolTip) {
         const auto* help = static_cast<QHelpEvent*>(event);
         const std::optional<MapHit> found = hit(help->pos());
-        if (found && m_describe) QToolTip::showText(help->globalPos(), m_describe(*found), this);
-        else QToolTip::showText(help->globalPos(), toolTip(), this);
+        if (found && m_describe)
+            QToolTip::showText(help->globalPos(), m_describe(*found), this);
+        else
+            QToolTip::showText(help->globalPos(), toolTip(), this);
         return true;
     }
     return QWidget::event(event);

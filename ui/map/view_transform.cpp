@@ -10,12 +10,15 @@ namespace {
 constexpr double kMinScale = 0.2;
 constexpr double kMaxScale = 400.0;
 
-double bounded(double scale) { return std::isfinite(scale) ? std::clamp(scale, kMinScale, kMaxScale) : 20.0; }
+double bounded(double scale) {
+    return std::isfinite(scale) ? std::clamp(scale, kMinScale, kMaxScale) : 20.0;
+}
 
 } // namespace
 
 ViewTransform::ViewTransform(Point2 centre, double pixelsPerMetre, QSizeF size)
-    : m_centre(isFinite(centre) ? centre : Point2{}), m_scale(bounded(pixelsPerMetre)),
+    : m_centre(isFinite(centre) ? centre : Point2{}),
+      m_scale(bounded(pixelsPerMetre)),
       m_size(std::max(1.0, size.width()), std::max(1.0, size.height())) {}
 
 ViewTransform ViewTransform::fitted(const Box2& box, QSizeF size, double marginPx) {
@@ -36,7 +39,11 @@ Point2 ViewTransform::mapFromScreen(QPointF point) const {
 }
 
 QTransform ViewTransform::painterTransform() const {
-    return {m_scale, 0.0, 0.0, -m_scale, m_size.width() / 2 - m_centre.x * m_scale,
+    return {m_scale,
+            0.0,
+            0.0,
+            -m_scale,
+            m_size.width() / 2 - m_centre.x * m_scale,
             m_size.height() / 2 + m_centre.y * m_scale};
 }
 
@@ -52,8 +59,12 @@ ViewTransform ViewTransform::panned(QPointF deltaPx) const {
     return {{m_centre.x - deltaPx.x() / m_scale, m_centre.y + deltaPx.y() / m_scale}, m_scale, m_size};
 }
 
-ViewTransform ViewTransform::centredOn(Point2 point) const { return {point, m_scale, m_size}; }
+ViewTransform ViewTransform::centredOn(Point2 point) const {
+    return {point, m_scale, m_size};
+}
 
-ViewTransform ViewTransform::resized(QSizeF size) const { return {m_centre, m_scale, size}; }
+ViewTransform ViewTransform::resized(QSizeF size) const {
+    return {m_centre, m_scale, size};
+}
 
 } // namespace farol::ui

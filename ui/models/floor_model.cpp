@@ -50,7 +50,9 @@ int FloorModel::rowCount(const QModelIndex& parent) const {
     return parent.isValid() ? 0 : static_cast<int>(m_rows.size());
 }
 
-int FloorModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : ColumnCount; }
+int FloorModel::columnCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : ColumnCount;
+}
 
 QString FloorModel::regionText(const building::Region& region, int column) const {
     if (column == Name) return regionLabel(region);
@@ -62,7 +64,8 @@ QString FloorModel::regionText(const building::Region& region, int column) const
 
 QString FloorModel::accessText(const building::Access& access, int column) const {
     if (column == Name)
-        return tr("%1 – %2").arg(regionName(m_building.get(), access.regionA), regionName(m_building.get(), access.regionB));
+        return tr("%1 – %2").arg(regionName(m_building.get(), access.regionA),
+                                 regionName(m_building.get(), access.regionB));
     if (column == What) return Words::accessKind(access.kind);
     return access.closed ? tr("closed") : QString();
 }
@@ -78,9 +81,12 @@ QVariant FloorModel::data(const QModelIndex& index, int role) const {
     if (role != Qt::DisplayRole && role != Qt::ToolTipRole) return {};
     const Row& row = m_rows[static_cast<std::size_t>(index.row())];
     switch (row.sort) {
-    case Sort::Region: return regionText(m_building->regions()[row.index], index.column());
-    case Sort::Access: return accessText(m_building->accesses()[row.index], index.column());
-    case Sort::Landmark: return landmarkText(m_building->landmarks()[row.index], index.column());
+    case Sort::Region:
+        return regionText(m_building->regions()[row.index], index.column());
+    case Sort::Access:
+        return accessText(m_building->accesses()[row.index], index.column());
+    case Sort::Landmark:
+        return landmarkText(m_building->landmarks()[row.index], index.column());
     }
     return {};
 }
@@ -88,10 +94,14 @@ QVariant FloorModel::data(const QModelIndex& index, int role) const {
 QVariant FloorModel::headerData(int section, Qt::Orientation orientation, int role) const {
     if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
     switch (section) {
-    case Name: return tr("Name");
-    case What: return tr("What");
-    case Where: return tr("Where");
-    default: return {};
+    case Name:
+        return tr("Name");
+    case What:
+        return tr("What");
+    case Where:
+        return tr("Where");
+    default:
+        return {};
     }
 }
 

@@ -8,7 +8,9 @@
 
 namespace farol::ui {
 
-RegionFilter::RegionFilter(QObject* parent) : QSortFilterProxyModel(parent) { sort(0); }
+RegionFilter::RegionFilter(QObject* parent) : QSortFilterProxyModel(parent) {
+    sort(0);
+}
 
 void RegionFilter::setTyped(const QString& text) {
     m_folded = toQString(foldedForMatching(toUtf8(text)));
@@ -18,7 +20,8 @@ void RegionFilter::setTyped(const QString& text) {
 
 bool RegionFilter::filterAcceptsRow(int row, const QModelIndex& parent) const {
     const QString words = sourceModel()->index(row, 0, parent).data(RegionModel::SearchRole).toString();
-    return std::all_of(m_words.begin(), m_words.end(), [&](const QString& word) { return words.contains(word); });
+    return std::all_of(m_words.begin(), m_words.end(),
+                       [&](const QString& word) { return words.contains(word); });
 }
 
 int RegionFilter::rank(const QModelIndex& index) const {

@@ -56,16 +56,21 @@ QVariant RegionModel::data(const QModelIndex& index, int role) const {
     const building::Region& region = m_building->regions()[m_order[static_cast<std::size_t>(index.row())]];
     switch (role) {
     case Qt::DisplayRole:
-    case Qt::EditRole: return label(region);
+    case Qt::EditRole:
+        return label(region);
     case Qt::ToolTipRole:
         return QStringLiteral("%1 (%2)").arg(label(region), Words::regionKind(region.kind));
-    case IdRole: return toQString(region.id.value);
-    case LevelRole: return region.level;
+    case IdRole:
+        return toQString(region.id.value);
+    case LevelRole:
+        return region.level;
     case SearchRole: {
-        const QString words = QStringLiteral("%1 %2 %3").arg(label(region), toQString(region.ref), toQString(region.id.value));
+        const QString words =
+            QStringLiteral("%1 %2 %3").arg(label(region), toQString(region.ref), toQString(region.id.value));
         return toQString(foldedForMatching(toUtf8(words)));
     }
-    default: return {};
+    default:
+        return {};
     }
 }
 

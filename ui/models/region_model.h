@@ -11,7 +11,8 @@
 
 namespace farol::ui {
 
-/// Rows in the order people look for them: named before unnamed, then by level, then by name in natural order.
+/// Rows in the order people look for them: named before unnamed, then by level, then by name in natural
+/// order.
 class RegionModel : public QAbstractListModel {
     Q_OBJECT
 
@@ -23,7 +24,7 @@ public:
 
     void setBuilding(std::shared_ptr<const building::Building> building);
     std::optional<RegionId> idAt(int row) const;
-    int rowOf(const RegionId& id) const; ///< -1 when unknown
+    int rowOf(const RegionId& id) const;       ///< -1 when unknown
     QString labelOf(const RegionId& id) const; ///< "Room 2.14 – level 2"
     int rowCount(const QModelIndex& parent = {}) const override;
     QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;

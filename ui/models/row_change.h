@@ -1,6 +1,6 @@
 #pragma once
-// Tables that show a new list with every frame: rows are changed in place, so that a selection, the scroll position and
-// a screen reader's place survive.
+// Tables that show a new list with every frame: rows are changed in place, so that a selection, the scroll
+// position and a screen reader's place survive.
 
 #include <QAbstractItemModel>
 

@@ -42,7 +42,9 @@ int UtteranceModel::rowCount(const QModelIndex& parent) const {
     return parent.isValid() ? 0 : static_cast<int>(m_rows.size());
 }
 
-int UtteranceModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : ColumnCount; }
+int UtteranceModel::columnCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : ColumnCount;
+}
 
 QVariant UtteranceModel::data(const QModelIndex& index, int role) const {
     if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return {};
@@ -53,22 +55,32 @@ QVariant UtteranceModel::data(const QModelIndex& index, int role) const {
         return tr("Shown as text, not heard");
     if (role != Qt::DisplayRole && role != Qt::ToolTipRole) return {};
     switch (index.column()) {
-    case Time: return clockText(utterance.cue.time);
-    case Sentence: return utterance.text;
-    case State: return Words::utteranceState(utterance.state);
-    case Cause: return Words::cause(utterance.cue);
-    default: return {};
+    case Time:
+        return clockText(utterance.cue.time);
+    case Sentence:
+        return utterance.text;
+    case State:
+        return Words::utteranceState(utterance.state);
+    case Cause:
+        return Words::cause(utterance.cue);
+    default:
+        return {};
     }
 }
 
 QVariant UtteranceModel::headerData(int section, Qt::Orientation orientation, int role) const {
     if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
     switch (section) {
-    case Time: return tr("Time");
-    case Sentence: return tr("Sentence");
-    case State: return tr("State");
-    case Cause: return tr("Because");
-    default: return {};
+    case Time:
+        return tr("Time");
+    case Sentence:
+        return tr("Sentence");
+    case State:
+        return tr("State");
+    case Cause:
+        return tr("Because");
+    default:
+        return {};
     }
 }
 

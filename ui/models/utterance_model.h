@@ -18,7 +18,8 @@ public:
 
     using QAbstractTableModel::QAbstractTableModel;
 
-    /// A change of an utterance that is listed and not finished changes its row; everything else is a new row.
+    /// A change of an utterance that is listed and not finished changes its row; everything else is a new
+    /// row.
     void note(const Utterance& utterance);
     void clear();
     const Utterance& at(int row) const { return m_rows[static_cast<std::size_t>(row)]; }

@@ -6,28 +6,44 @@ namespace farol::ui {
 
 QString Words::regionKind(building::RegionKind kind) {
     switch (kind) {
-    case building::RegionKind::Room: return tr("room");
-    case building::RegionKind::Corridor: return tr("corridor");
-    case building::RegionKind::Hall: return tr("hall");
-    case building::RegionKind::Stairwell: return tr("stairwell");
-    case building::RegionKind::Elevator: return tr("lift");
-    case building::RegionKind::Toilet: return tr("toilet");
-    case building::RegionKind::Outside: return tr("outside");
-    case building::RegionKind::Other: break;
+    case building::RegionKind::Room:
+        return tr("room");
+    case building::RegionKind::Corridor:
+        return tr("corridor");
+    case building::RegionKind::Hall:
+        return tr("hall");
+    case building::RegionKind::Stairwell:
+        return tr("stairwell");
+    case building::RegionKind::Elevator:
+        return tr("lift");
+    case building::RegionKind::Toilet:
+        return tr("toilet");
+    case building::RegionKind::Outside:
+        return tr("outside");
+    case building::RegionKind::Other:
+        break;
     }
     return tr("place");
 }
 
 QString Words::accessKind(building::AccessKind kind) {
     switch (kind) {
-    case building::AccessKind::Door: return tr("door");
-    case building::AccessKind::Opening: return tr("opening");
-    case building::AccessKind::Stairs: return tr("stairs");
-    case building::AccessKind::Elevator: return tr("lift");
-    case building::AccessKind::Escalator: return tr("escalator");
-    case building::AccessKind::Ramp: return tr("ramp");
-    case building::AccessKind::Window: return tr("window");
-    case building::AccessKind::Other: break;
+    case building::AccessKind::Door:
+        return tr("door");
+    case building::AccessKind::Opening:
+        return tr("opening");
+    case building::AccessKind::Stairs:
+        return tr("stairs");
+    case building::AccessKind::Elevator:
+        return tr("lift");
+    case building::AccessKind::Escalator:
+        return tr("escalator");
+    case building::AccessKind::Ramp:
+        return tr("ramp");
+    case building::AccessKind::Window:
+        return tr("window");
+    case building::AccessKind::Other:
+        break;
     }
     return tr("passage");
 }
@@ -43,31 +59,50 @@ QString Words::detectionName(const recognition::Detection& detection) {
 
 QString Words::utteranceState(UtteranceState state) {
     switch (state) {
-    case UtteranceState::Waiting: return tr("waiting");
-    case UtteranceState::Speaking: return tr("speaking");
-    case UtteranceState::Spoken: return tr("spoken");
-    case UtteranceState::Interrupted: return tr("interrupted");
-    case UtteranceState::Expired: return tr("too late");
-    case UtteranceState::Shown: break;
+    case UtteranceState::Waiting:
+        return tr("waiting");
+    case UtteranceState::Speaking:
+        return tr("speaking");
+    case UtteranceState::Spoken:
+        return tr("spoken");
+    case UtteranceState::Interrupted:
+        return tr("interrupted");
+    case UtteranceState::Expired:
+        return tr("too late");
+    case UtteranceState::Shown:
+        break;
     }
     return tr("shown");
 }
 
 QString Words::cause(const guidance::Cue& cue) {
     switch (cue.kind) {
-    case guidance::CueKind::RouteStart: return tr("new route");
-    case guidance::CueKind::Prepare: return tr("coming up");
-    case guidance::CueKind::Act: return tr("do it now");
-    case guidance::CueKind::Reassure: return tr("keep going");
-    case guidance::CueKind::Arrived: return tr("arrived");
-    case guidance::CueKind::OffRoute: return tr("left the route");
-    case guidance::CueKind::Unsure: return tr("place not known");
-    case guidance::CueKind::Located: return tr("place found");
-    case guidance::CueKind::Detection: return tr("object seen");
-    case guidance::CueKind::Text: return tr("text read");
-    case guidance::CueKind::NoRoute: return tr("no route");
-    case guidance::CueKind::AlreadyThere: return tr("already there");
-    case guidance::CueKind::Warning: break;
+    case guidance::CueKind::RouteStart:
+        return tr("new route");
+    case guidance::CueKind::Prepare:
+        return tr("coming up");
+    case guidance::CueKind::Act:
+        return tr("do it now");
+    case guidance::CueKind::Reassure:
+        return tr("keep going");
+    case guidance::CueKind::Arrived:
+        return tr("arrived");
+    case guidance::CueKind::OffRoute:
+        return tr("left the route");
+    case guidance::CueKind::Unsure:
+        return tr("place not known");
+    case guidance::CueKind::Located:
+        return tr("place found");
+    case guidance::CueKind::Detection:
+        return tr("object seen");
+    case guidance::CueKind::Text:
+        return tr("text read");
+    case guidance::CueKind::NoRoute:
+        return tr("no route");
+    case guidance::CueKind::AlreadyThere:
+        return tr("already there");
+    case guidance::CueKind::Warning:
+        break;
     }
     return tr("warning");
 }

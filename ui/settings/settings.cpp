@@ -27,15 +27,19 @@ const QString kSpeed = QStringLiteral("walk/speed");
 const QString kRecordings = QStringLiteral("walk/recording-folder");
 const QString kGeometry = QStringLiteral("window/geometry");
 
-const QStringList kDirectionNames{QStringLiteral("left-right"), QStringLiteral("clock"), QStringLiteral("degrees")};
+const QStringList kDirectionNames{QStringLiteral("left-right"), QStringLiteral("clock"),
+                                  QStringLiteral("degrees")};
 const QStringList kVerbosityNames{QStringLiteral("directions"), QStringLiteral("objects"),
                                   QStringLiteral("objects-and-texts")};
 
 QString recentKey(RecentKind kind) {
     switch (kind) {
-    case RecentKind::Map: return QStringLiteral("recent/maps");
-    case RecentKind::Library: return QStringLiteral("recent/libraries");
-    case RecentKind::Source: break;
+    case RecentKind::Map:
+        return QStringLiteral("recent/maps");
+    case RecentKind::Library:
+        return QStringLiteral("recent/libraries");
+    case RecentKind::Source:
+        break;
     }
     return QStringLiteral("recent/sources");
 }
@@ -56,10 +60,9 @@ Enum choiceIn(const QSettings& store, const QString& key, const QStringList& nam
 
 Settings::Settings(const QString& file, QObject* parent)
     : QObject(parent),
-      m_store(file.isEmpty()
-                  ? std::make_unique<QSettings>(QSettings::IniFormat, QSettings::UserScope, QStringLiteral("farol"),
-                                                QStringLiteral("farol"))
-                  : std::make_unique<QSettings>(file, QSettings::IniFormat)) {}
+      m_store(file.isEmpty() ? std::make_unique<QSettings>(QSettings::IniFormat, QSettings::UserScope,
+                                                           QStringLiteral("farol"), QStringLiteral("farol"))
+                             : std::make_unique<QSettings>(file, QSettings::IniFormat)) {}
 
 template <class T>
 bool Settings::store(const QString& key, const T& value) {
@@ -96,7 +99,9 @@ void Settings::setVoice(const VoiceChoice& voice) {
     if (changed) Q_EMIT voiceChanged();
 }
 
-bool Settings::muted() const { return m_store->value(kMuted, false).toBool(); }
+bool Settings::muted() const {
+    return m_store->value(kMuted, false).toBool();
+}
 
 void Settings::setMuted(bool muted) {
     if (store(kMuted, muted)) Q_EMIT mutedChanged(muted);
@@ -118,27 +123,37 @@ void Settings::setVerbosity(guidance::Verbosity verbosity) {
     if (store(kVerbosity, kVerbosityNames.at(static_cast<int>(verbosity)))) Q_EMIT guidanceChanged();
 }
 
-bool Settings::followLevel() const { return m_store->value(kFollow, true).toBool(); }
+bool Settings::followLevel() const {
+    return m_store->value(kFollow, true).toBool();
+}
 
 void Settings::setFollowLevel(bool follow) {
     if (store(kFollow, follow)) Q_EMIT displayChanged();
 }
 
-bool Settings::showGrid() const { return m_store->value(kGrid, true).toBool(); }
+bool Settings::showGrid() const {
+    return m_store->value(kGrid, true).toBool();
+}
 
 void Settings::setShowGrid(bool show) {
     if (store(kGrid, show)) Q_EMIT displayChanged();
 }
 
-bool Settings::showRejected() const { return m_store->value(kRejected, false).toBool(); }
+bool Settings::showRejected() const {
+    return m_store->value(kRejected, false).toBool();
+}
 
 void Settings::setShowRejected(bool show) {
     if (store(kRejected, show)) Q_EMIT displayChanged();
 }
 
-double Settings::speed() const { return numberIn(*m_store, kSpeed, 1.0, 0.25, 8.0); }
+double Settings::speed() const {
+    return numberIn(*m_store, kSpeed, 1.0, 0.25, 8.0);
+}
 
-void Settings::setSpeed(double speed) { store(kSpeed, std::clamp(speed, 0.25, 8.0)); }
+void Settings::setSpeed(double speed) {
+    store(kSpeed, std::clamp(speed, 0.25, 8.0));
+}
 
 QString Settings::recordingFolder() const {
     const QString folder = m_store->value(kRecordings).toString();
@@ -147,7 +162,9 @@ QString Settings::recordingFolder() const {
     return QDir(documents.isEmpty() ? QDir::homePath() : documents).filePath(QStringLiteral("Farol"));
 }
 
-void Settings::setRecordingFolder(const QString& folder) { store(kRecordings, folder); }
+void Settings::setRecordingFolder(const QString& folder) {
+    store(kRecordings, folder);
+}
 
 QStringList Settings::recent(RecentKind kind) const {
     QStringList items = m_store->value(recentKey(kind)).toStringList();
@@ -168,8 +185,12 @@ void Settings::clearRecent(RecentKind kind) {
     Q_EMIT recentChanged();
 }
 
-QByteArray Settings::windowGeometry() const { return m_store->value(kGeometry).toByteArray(); }
-void Settings::setWindowGeometry(const QByteArray& geometry) { store(kGeometry, geometry); }
+QByteArray Settings::windowGeometry() const {
+    return m_store->value(kGeometry).toByteArray();
+}
+void Settings::setWindowGeometry(const QByteArray& geometry) {
+    store(kGeometry, geometry);
+}
 
 QByteArray Settings::splitter(const QString& name) const {
     return m_store->value(QStringLiteral("window/splitter-") + name).toByteArray();

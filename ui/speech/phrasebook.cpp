@@ -1,7 +1,8 @@
-// One sentence per cue. Names from the map stand behind a colon or between commas, so that they need no article and
-// no gender in any language.
+// One sentence per cue. Names from the map stand behind a colon or between commas, so that they need no
+// article and no gender in any language.
 
 #include "ui/speech/phrasebook.h"
+
 #include "ui/speech/spoken.h"
 
 namespace farol::ui {
@@ -13,24 +14,37 @@ using routing::ManoeuvreKind;
 
 QString Phrasebook::sentence(const Cue& cue) const {
     switch (cue.kind) {
-    case CueKind::RouteStart: return routeStart(cue);
-    case CueKind::Prepare: return prepare(cue);
-    case CueKind::Act: return act(cue);
-    case CueKind::Reassure: return reassure(cue);
-    case CueKind::Arrived: return arrived(cue);
-    case CueKind::OffRoute: return offRoute(cue);
+    case CueKind::RouteStart:
+        return routeStart(cue);
+    case CueKind::Prepare:
+        return prepare(cue);
+    case CueKind::Act:
+        return act(cue);
+    case CueKind::Reassure:
+        return reassure(cue);
+    case CueKind::Arrived:
+        return arrived(cue);
+    case CueKind::OffRoute:
+        return offRoute(cue);
     case CueKind::Unsure:
-        return tr("I am not sure where you are. Stop, and turn slowly to the right, so that I can look around.");
-    case CueKind::Located: return located(cue);
-    case CueKind::Detection: return detection(cue);
+        return tr(
+            "I am not sure where you are. Stop, and turn slowly to the right, so that I can look around.");
+    case CueKind::Located:
+        return located(cue);
+    case CueKind::Detection:
+        return detection(cue);
     case CueKind::Text: {
         const QString read = spoken::shortened(cue.text);
         //: %1 what is written there, %2 "left, up"
-        return read.isEmpty() ? QString() : tr("I read: %1. %2.").arg(read, spoken::capitalised(zoneWords(cue.zone)));
+        return read.isEmpty() ? QString()
+                              : tr("I read: %1. %2.").arg(read, spoken::capitalised(zoneWords(cue.zone)));
     }
-    case CueKind::NoRoute: return noRoute(cue);
-    case CueKind::AlreadyThere: return alreadyThere(cue);
-    case CueKind::Warning: return warning(cue);
+    case CueKind::NoRoute:
+        return noRoute(cue);
+    case CueKind::AlreadyThere:
+        return alreadyThere(cue);
+    case CueKind::Warning:
+        return warning(cue);
     }
     return {};
 }
@@ -38,7 +52,8 @@ QString Phrasebook::sentence(const Cue& cue) const {
 QString Phrasebook::routeStart(const Cue& cue) const {
     const QString destination = spoken::name(cue.regionName);
     QStringList sentences;
-    sentences << (destination.isEmpty() ? tr("I have found the way.") : tr("Destination: %1.").arg(destination));
+    sentences << (destination.isEmpty() ? tr("I have found the way.")
+                                        : tr("Destination: %1.").arg(destination));
     const int metres = cue.sure ? spoken::metres(cue.distanceM) : 0;
     if (metres > 0) sentences << tr("About %n metre(s).", "length of the route", metres);
 
@@ -67,7 +82,7 @@ QString Phrasebook::prepare(const Cue& cue) const {
     if (!cue.manoeuvre) return {};
     const int metres = cue.sure ? spoken::metres(cue.distanceM) : 0;
     const QString opener = metres > 0 ? tr("In about %n metre(s)", "then what is there", metres)
-                         : cue.sure   ? tr("Soon")
+                           : cue.sure ? tr("Soon")
                                       : tr("Soon, probably");
     return spoken::joined({facing(cue), announced(cue, opener, *cue.manoeuvre)});
 }
@@ -75,7 +90,8 @@ QString Phrasebook::prepare(const Cue& cue) const {
 QString Phrasebook::reassure(const Cue& cue) const {
     if (!cue.sure) return tr("Keep moving forward. You are probably on the right way.");
     const int metres = spoken::metres(cue.distanceM);
-    return metres > 0 ? tr("Keep moving forward for about %n metre(s).", nullptr, metres) : tr("Keep moving forward.");
+    return metres > 0 ? tr("Keep moving forward for about %n metre(s).", nullptr, metres)
+                      : tr("Keep moving forward.");
 }
 
 QString Phrasebook::arrived(const Cue& cue) const {
@@ -126,26 +142,36 @@ QString Phrasebook::noRoute(const Cue& cue) const {
         return place.isEmpty() ? tr("I do not know this destination. Choose another one.")
                                : tr("I do not know this destination: %1. Choose another one.").arg(place);
     }
-    return place.isEmpty() ? tr("I know no way to your destination. Choose another one, or ask for help.")
-                           : tr("I know no way to: %1. Choose another destination, or ask for help.").arg(place);
+    return place.isEmpty()
+               ? tr("I know no way to your destination. Choose another one, or ask for help.")
+               : tr("I know no way to: %1. Choose another destination, or ask for help.").arg(place);
 }
 
 QString Phrasebook::alreadyThere(const Cue& cue) const {
     const QString place = spoken::name(cue.regionName);
-    if (place.isEmpty()) return cue.sure ? tr("You are already there.") : tr("You are probably there already.");
-    return (cue.sure ? tr("You are already there: %1.") : tr("You are probably there already: %1.")).arg(place);
+    if (place.isEmpty())
+        return cue.sure ? tr("You are already there.") : tr("You are probably there already.");
+    return (cue.sure ? tr("You are already there: %1.") : tr("You are probably there already: %1."))
+        .arg(place);
 }
 
 QString Phrasebook::warning(const Cue& cue) const {
     switch (cue.reason) {
-    case CueReason::CameraLost: return tr("Stop. The camera gives no picture, and I cannot guide you.");
-    case CueReason::CameraBack: return tr("The camera works again.");
-    case CueReason::RecordingStopped: return tr("The recording has stopped. I keep guiding you.");
-    case CueReason::PictureCovered: return tr("Stop. I cannot see. Please uncover the camera.");
-    case CueReason::FrameSkipped: return tr("One picture could not be used. I keep guiding you.");
+    case CueReason::CameraLost:
+        return tr("Stop. The camera gives no picture, and I cannot guide you.");
+    case CueReason::CameraBack:
+        return tr("The camera works again.");
+    case CueReason::RecordingStopped:
+        return tr("The recording has stopped. I keep guiding you.");
+    case CueReason::PictureCovered:
+        return tr("Stop. I cannot see. Please uncover the camera.");
+    case CueReason::FrameSkipped:
+        return tr("One picture could not be used. I keep guiding you.");
     case CueReason::DestinationUnknown:
-    case CueReason::DestinationUnreachable: return noRoute(cue);
-    case CueReason::None: break;
+    case CueReason::DestinationUnreachable:
+        return noRoute(cue);
+    case CueReason::None:
+        break;
     }
     return tr("Stop. Something is wrong. Please ask for help.");
 }

@@ -11,8 +11,8 @@ namespace farol::ui {
 /// How turns and directions are said (Wayfindr: the user chooses). Default for turns: left and right.
 enum class DirectionStyle { LeftRight, Clock, Degrees };
 
-/// Text in the language of the installed translators (see installTranslation). Imperative, short, hedged where the
-/// cue is not sure; never a metre figure the cue does not carry.
+/// Text in the language of the installed translators (see installTranslation). Imperative, short, hedged
+/// where the cue is not sure; never a metre figure the cue does not carry.
 class Phrasebook {
     Q_DECLARE_TR_FUNCTIONS(farol::ui::Phrasebook)
 
@@ -30,8 +30,23 @@ public:
 
 private:
     using Manoeuvre = routing::Manoeuvre;
-    enum class Feature { None, Door, Opening, StairsUp, StairsDown, Stairs, LiftUp, LiftDown, Lift, EscalatorUp,
-                         EscalatorDown, Escalator, RampUp, RampDown, Ramp };
+    enum class Feature {
+        None,
+        Door,
+        Opening,
+        StairsUp,
+        StairsDown,
+        Stairs,
+        LiftUp,
+        LiftDown,
+        Lift,
+        EscalatorUp,
+        EscalatorDown,
+        Escalator,
+        RampUp,
+        RampDown,
+        Ramp
+    };
 
     static Feature featureOf(const Manoeuvre& manoeuvre);
     static QString featureNoun(Feature feature);
@@ -66,8 +81,8 @@ private:
     DirectionStyle m_style;
 };
 
-/// Installs farol_<language>.qm (and Qt's own, where it is installed) for the whole program: "en", "pt", or a locale
-/// name such as "pt_BR". False when there is none, and English is used. Needs a QCoreApplication.
+/// Installs farol_<language>.qm (and Qt's own, where it is installed) for the whole program: "en", "pt", or a
+/// locale name such as "pt_BR". False when there is none, and English is used. Needs a QCoreApplication.
 bool installTranslation(const QString& language);
 /// What the program speaks now: "en", "pt".
 QString installedLanguage();

@@ -20,32 +20,54 @@ int roundedDegrees(Radians turn) {
     return std::clamp(static_cast<int>(std::lround(degrees / kDegreeStep)) * kDegreeStep, kDegreeStep, 180);
 }
 
-bool toTheLeft(Radians turn) { return wrapped(turn).value > 0.0; }
+bool toTheLeft(Radians turn) {
+    return wrapped(turn).value > 0.0;
+}
 
 } // namespace
 
 QString Phrasebook::kindWord(Kind kind) {
     switch (kind) {
-    case Kind::Place: return tr("known place");
-    case Kind::Door: return tr("door");
-    case Kind::Stairs: return tr("stairs");
-    case Kind::Elevator: return tr("lift");
-    case Kind::Extinguisher: return tr("extinguisher");
-    case Kind::ExitSign: return tr("exit sign");
-    case Kind::Sign: return tr("sign");
-    case Kind::Text: return tr("text");
-    case Kind::Rectangle: return tr("rectangular shape");
-    case Kind::Window: return tr("window");
-    case Kind::Locker: return tr("locker");
-    case Kind::Poster: return tr("poster");
-    case Kind::Fountain: return tr("drinking fountain");
-    case Kind::Hydrant: return tr("hydrant");
-    case Kind::VendingMachine: return tr("vending machine");
-    case Kind::Bin: return tr("waste bin");
-    case Kind::Plant: return tr("plant");
-    case Kind::Furniture: return tr("piece of furniture");
-    case Kind::Picture: return tr("picture");
-    case Kind::Other: break;
+    case Kind::Place:
+        return tr("known place");
+    case Kind::Door:
+        return tr("door");
+    case Kind::Stairs:
+        return tr("stairs");
+    case Kind::Elevator:
+        return tr("lift");
+    case Kind::Extinguisher:
+        return tr("extinguisher");
+    case Kind::ExitSign:
+        return tr("exit sign");
+    case Kind::Sign:
+        return tr("sign");
+    case Kind::Text:
+        return tr("text");
+    case Kind::Rectangle:
+        return tr("rectangular shape");
+    case Kind::Window:
+        return tr("window");
+    case Kind::Locker:
+        return tr("locker");
+    case Kind::Poster:
+        return tr("poster");
+    case Kind::Fountain:
+        return tr("drinking fountain");
+    case Kind::Hydrant:
+        return tr("hydrant");
+    case Kind::VendingMachine:
+        return tr("vending machine");
+    case Kind::Bin:
+        return tr("waste bin");
+    case Kind::Plant:
+        return tr("plant");
+    case Kind::Furniture:
+        return tr("piece of furniture");
+    case Kind::Picture:
+        return tr("picture");
+    case Kind::Other:
+        break;
     }
     return tr("object");
 }
@@ -61,18 +83,30 @@ QString Phrasebook::zoneWords(Zone zone) {
 
 QString Phrasebook::hourWord(int hour) {
     switch (hour) {
-    case 1: return tr("1 o'clock");
-    case 2: return tr("2 o'clock");
-    case 3: return tr("3 o'clock");
-    case 4: return tr("4 o'clock");
-    case 5: return tr("5 o'clock");
-    case 6: return tr("6 o'clock");
-    case 7: return tr("7 o'clock");
-    case 8: return tr("8 o'clock");
-    case 9: return tr("9 o'clock");
-    case 10: return tr("10 o'clock");
-    case 11: return tr("11 o'clock");
-    default: return tr("12 o'clock");
+    case 1:
+        return tr("1 o'clock");
+    case 2:
+        return tr("2 o'clock");
+    case 3:
+        return tr("3 o'clock");
+    case 4:
+        return tr("4 o'clock");
+    case 5:
+        return tr("5 o'clock");
+    case 6:
+        return tr("6 o'clock");
+    case 7:
+        return tr("7 o'clock");
+    case 8:
+        return tr("8 o'clock");
+    case 9:
+        return tr("9 o'clock");
+    case 10:
+        return tr("10 o'clock");
+    case 11:
+        return tr("11 o'clock");
+    default:
+        return tr("12 o'clock");
     }
 }
 
@@ -82,7 +116,8 @@ QString Phrasebook::turnWords(Radians turn) const {
         const int hour = guidance::clockHour(turn);
         if (hour == 12) return tr("go straight on");
         //: %1 is an hour, such as "9 o'clock"
-        return hour == 1 ? tr("turn to %1", "one o'clock").arg(hourWord(hour)) : tr("turn to %1").arg(hourWord(hour));
+        return hour == 1 ? tr("turn to %1", "one o'clock").arg(hourWord(hour))
+                         : tr("turn to %1").arg(hourWord(hour));
     }
     const TurnWord word = guidance::turnWord(turn);
     if (word == TurnWord::Straight) return tr("go straight on");
@@ -93,14 +128,22 @@ QString Phrasebook::turnWords(Radians turn) const {
                                : tr("turn %1 degrees to the right").arg(degrees);
     }
     switch (word) {
-    case TurnWord::SlightLeft: return tr("turn slightly left");
-    case TurnWord::Left: return tr("turn left");
-    case TurnWord::SharpLeft: return tr("turn sharply left");
-    case TurnWord::SlightRight: return tr("turn slightly right");
-    case TurnWord::Right: return tr("turn right");
-    case TurnWord::SharpRight: return tr("turn sharply right");
-    case TurnWord::Back: return tr("turn around");
-    case TurnWord::Straight: break;
+    case TurnWord::SlightLeft:
+        return tr("turn slightly left");
+    case TurnWord::Left:
+        return tr("turn left");
+    case TurnWord::SharpLeft:
+        return tr("turn sharply left");
+    case TurnWord::SlightRight:
+        return tr("turn slightly right");
+    case TurnWord::Right:
+        return tr("turn right");
+    case TurnWord::SharpRight:
+        return tr("turn sharply right");
+    case TurnWord::Back:
+        return tr("turn around");
+    case TurnWord::Straight:
+        break;
     }
     return tr("go straight on");
 }
@@ -124,19 +167,28 @@ QString Phrasebook::turningWords(Radians turn) const {
                                : tr("turning %1 degrees to the right").arg(degrees);
     }
     switch (word) {
-    case TurnWord::SlightLeft: return tr("turning slightly left");
-    case TurnWord::Left: return tr("turning left");
-    case TurnWord::SharpLeft: return tr("turning sharply left");
-    case TurnWord::SlightRight: return tr("turning slightly right");
-    case TurnWord::Right: return tr("turning right");
-    case TurnWord::SharpRight: return tr("turning sharply right");
-    case TurnWord::Back: return tr("turning around");
-    case TurnWord::Straight: break;
+    case TurnWord::SlightLeft:
+        return tr("turning slightly left");
+    case TurnWord::Left:
+        return tr("turning left");
+    case TurnWord::SharpLeft:
+        return tr("turning sharply left");
+    case TurnWord::SlightRight:
+        return tr("turning slightly right");
+    case TurnWord::Right:
+        return tr("turning right");
+    case TurnWord::SharpRight:
+        return tr("turning sharply right");
+    case TurnWord::Back:
+        return tr("turning around");
+    case TurnWord::Straight:
+        break;
     }
     return {};
 }
 
-/// Where something is, seen from the way the user faces: "on your left", "at 9 o'clock", "90 degrees to your left".
+/// Where something is, seen from the way the user faces: "on your left", "at 9 o'clock", "90 degrees to your
+/// left".
 QString Phrasebook::whereWords(int hour) const {
     const int h = ((hour % 12) + 12) % 12; // 0 is straight ahead
     if (m_style == DirectionStyle::Clock) {
@@ -146,14 +198,20 @@ QString Phrasebook::whereWords(int hour) const {
     if (h == 0) return tr("straight ahead");
     if (h == 6) return tr("behind you");
     if (m_style == DirectionStyle::Degrees) {
-        return h < 6 ? tr("%1 degrees to your right").arg(h * 30) : tr("%1 degrees to your left").arg((12 - h) * 30);
+        return h < 6 ? tr("%1 degrees to your right").arg(h * 30)
+                     : tr("%1 degrees to your left").arg((12 - h) * 30);
     }
     switch (h) {
-    case 1: return tr("ahead, slightly to your right");
-    case 5: return tr("behind you, on the right");
-    case 7: return tr("behind you, on the left");
-    case 11: return tr("ahead, slightly to your left");
-    default: return h < 6 ? tr("on your right") : tr("on your left");
+    case 1:
+        return tr("ahead, slightly to your right");
+    case 5:
+        return tr("behind you, on the right");
+    case 7:
+        return tr("behind you, on the left");
+    case 11:
+        return tr("ahead, slightly to your left");
+    default:
+        return h < 6 ? tr("on your right") : tr("on your left");
     }
 }
 

@@ -1,4 +1,5 @@
 #include "ui/speech/speech_output.h"
+
 #include "ui/speech/phrasebook.h"
 #include "ui/speech/voice.h"
 
@@ -53,7 +54,8 @@ public:
     bool speaking() const override { return m_speaking; }
 
     QString description() const override {
-        return m_description.isEmpty() ? SpeechOutput::tr("The voice starts with the first sentence.") : m_description;
+        return m_description.isEmpty() ? SpeechOutput::tr("The voice starts with the first sentence.")
+                                       : m_description;
     }
 
 private:
@@ -65,7 +67,8 @@ private:
         m_voice = new Voice(m_choice);
         m_voice->moveToThread(m_thread);
         connect(m_thread, &QThread::finished, m_voice, &QObject::deleteLater);
-        connect(m_voice, &Voice::ready, this, [this](const QString& description) { m_description = description; });
+        connect(m_voice, &Voice::ready, this,
+                [this](const QString& description) { m_description = description; });
         connect(m_voice, &Voice::finished, this, [this](int serial) {
             if (!ended(serial)) return;
             Q_EMIT finished();
@@ -88,12 +91,14 @@ private:
     int patienceMs(const QString& text) const {
         if (m_choice.patienceMs > 0) return m_choice.patienceMs;
         const int perLetter = m_choice.rate < 0.0 ? 2 * kMsPerLetter : kMsPerLetter;
-        return kSpareMs + static_cast<int>(text.size()) * perLetter + (m_description.isEmpty() ? kStartMs : 0);
+        return kSpareMs + static_cast<int>(text.size()) * perLetter +
+               (m_description.isEmpty() ? kStartMs : 0);
     }
 
     void stuck() {
         stop();
-        Q_EMIT failed(SpeechOutput::tr("The voice hangs: nothing may be heard. Choose another one in the settings."));
+        Q_EMIT failed(
+            SpeechOutput::tr("The voice hangs: nothing may be heard. Choose another one in the settings."));
     }
 
     VoiceChoice m_choice;

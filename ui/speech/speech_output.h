@@ -1,5 +1,6 @@
 #pragma once
-// A voice. An interface, so that the queue is tested with a recording one and a machine without sound still works.
+// A voice. An interface, so that the queue is tested with a recording one and a machine without sound still
+// works.
 
 #include <QLocale>
 #include <QObject>
@@ -11,12 +12,12 @@
 namespace farol::ui {
 
 struct VoiceChoice {
-    QString engine;       ///< empty: the first that works (Farol's own, then what Qt finds)
-    QString voice;        ///< empty: the engine's choice for the language
-    QString language;     ///< "en", "pt", "pt_BR"; empty: the program's language
-    double rate = 0.0;    ///< -1 slow to 1 fast
-    double volume = 1.0;  ///< 0 to 1
-    int patienceMs = 0;   ///< how long one text may take before it counts as stuck; 0: by its length
+    QString engine;      ///< empty: the first that works (Farol's own, then what Qt finds)
+    QString voice;       ///< empty: the engine's choice for the language
+    QString language;    ///< "en", "pt", "pt_BR"; empty: the program's language
+    double rate = 0.0;   ///< -1 slow to 1 fast
+    double volume = 1.0; ///< 0 to 1
+    int patienceMs = 0;  ///< how long one text may take before it counts as stuck; 0: by its length
 };
 
 class SpeechOutput : public QObject {
@@ -36,9 +37,9 @@ Q_SIGNALS:
     void failed(const QString& message); ///< it was not heard; the message says why and what to do
 };
 
-/// The voice over QTextToSpeech, in a thread of its own: an engine that blocks while it starts does not block the
-/// window. Never null: without an engine or audio device it reports failed() for each text. A watchdog tells when an
-/// engine speaks for longer than the text could take.
+/// The voice over QTextToSpeech, in a thread of its own: an engine that blocks while it starts does not block
+/// the window. Never null: without an engine or audio device it reports failed() for each text. A watchdog
+/// tells when an engine speaks for longer than the text could take.
 std::unique_ptr<SpeechOutput> makeSpeechOutput(const VoiceChoice& choice, QObject* parent = nullptr);
 /// Farol's own first.
 QStringList speechEngines();

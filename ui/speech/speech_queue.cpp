@@ -17,7 +17,8 @@ constexpr double kJumpSeconds = 5.0;
 constexpr int kDefaultGapMs = 1000;
 
 bool tellsToMove(CueKind kind) {
-    return kind == CueKind::RouteStart || kind == CueKind::Prepare || kind == CueKind::Act || kind == CueKind::Reassure;
+    return kind == CueKind::RouteStart || kind == CueKind::Prepare || kind == CueKind::Act ||
+           kind == CueKind::Reassure;
 }
 
 /// After these words nobody may hear an older "go through the door".
@@ -85,14 +86,17 @@ void SpeechQueue::add(const Cue& cue) {
         return;
     }
     // The newer of two equal ones has the longer life.
-    dropWaiting([&](const Utterance& old) { return old.text == utterance.text && sameManoeuvre(old.cue, cue); },
-                UtteranceState::Expired);
+    dropWaiting(
+        [&](const Utterance& old) { return old.text == utterance.text && sameManoeuvre(old.cue, cue); },
+        UtteranceState::Expired);
     if (endsTheWay(cue)) {
         dropWaiting([](const Utterance& old) { return tellsToMove(old.cue.kind); }, UtteranceState::Expired);
     } else if (cue.kind == CueKind::Act) {
-        dropWaiting([](const Utterance& old) {
-            return old.cue.kind == CueKind::Prepare || old.cue.kind == CueKind::Reassure;
-        }, UtteranceState::Expired);
+        dropWaiting(
+            [](const Utterance& old) {
+                return old.cue.kind == CueKind::Prepare || old.cue.kind == CueKind::Reassure;
+            },
+            UtteranceState::Expired);
     }
     if (m_muted) {
         show(std::move(utterance));
@@ -104,8 +108,9 @@ void SpeechQueue::add(const Cue& cue) {
 }
 
 void SpeechQueue::enqueue(Utterance utterance) {
-    auto place = std::upper_bound(m_waiting.begin(), m_waiting.end(), utterance,
-                                  [](const Utterance& a, const Utterance& b) { return a.cue.priority < b.cue.priority; });
+    auto place = std::upper_bound(
+        m_waiting.begin(), m_waiting.end(), utterance,
+        [](const Utterance& a, const Utterance& b) { return a.cue.priority < b.cue.priority; });
     utterance.state = UtteranceState::Waiting;
     const Utterance told = *m_waiting.insert(place, std::move(utterance));
     Q_EMIT changed(told);
@@ -136,9 +141,10 @@ void SpeechQueue::setNow(double time, const std::optional<RegionId>& region, std
     m_routeVersion = routeVersion;
     dropWaiting([this](const Utterance& utterance) { return stale(utterance.cue); }, UtteranceState::Expired);
     std::erase_if(m_told, [this](const Told& told) { return m_now - told.cue.time >= kRepeatSeconds; });
-    // An instruction of an old route is wrong while it is being spoken, too; one whose place was just left is only
-    // a little late, and its end may still be needed ("then turn right").
-    if (!m_current || m_current->cue.routeVersion == 0 || m_current->cue.routeVersion >= m_routeVersion) return;
+    // An instruction of an old route is wrong while it is being spoken, too; one whose place was just left is
+    // only a little late, and its end may still be needed ("then turn right").
+    if (!m_current || m_current->cue.routeVersion == 0 || m_current->cue.routeVersion >= m_routeVersion)
+        return;
     finish(UtteranceState::Interrupted);
     m_output.stop();
     speakNext();
@@ -175,8 +181,10 @@ void SpeechQueue::speakNext() {
 }
 
 void SpeechQueue::pauseThenNext() {
-    if (m_gap.interval() <= 0) speakNext();
-    else m_gap.start();
+    if (m_gap.interval() <= 0)
+        speakNext();
+    else
+        m_gap.start();
 }
 
 void SpeechQueue::finish(UtteranceState state) {

@@ -14,7 +14,14 @@
 
 namespace farol::ui {
 
-enum class UtteranceState { Waiting, Speaking, Spoken, Interrupted, Expired, Shown }; ///< Shown: as text, no sound
+enum class UtteranceState {
+    Waiting,
+    Speaking,
+    Spoken,
+    Interrupted,
+    Expired,
+    Shown
+}; ///< Shown: as text, no sound
 
 struct Utterance {
     guidance::Cue cue;
@@ -22,10 +29,10 @@ struct Utterance {
     UtteranceState state = UtteranceState::Waiting;
 };
 
-/// A more urgent cue interrupts; equal or lower ones wait; what has expired, or belongs to an older route or another
-/// region, is dropped and never spoken late. The same text within 15 s of the walk's clock is not repeated, unless it
-/// tells of another manoeuvre ("turn left" at two corners). Nothing waits behind "stop": an instruction to move that
-/// was waiting when the way was lost is dropped.
+/// A more urgent cue interrupts; equal or lower ones wait; what has expired, or belongs to an older route or
+/// another region, is dropped and never spoken late. The same text within 15 s of the walk's clock is not
+/// repeated, unless it tells of another manoeuvre ("turn left" at two corners). Nothing waits behind "stop":
+/// an instruction to move that was waiting when the way was lost is dropped.
 class SpeechQueue : public QObject {
     Q_OBJECT
 
@@ -52,8 +59,8 @@ Q_SIGNALS:
     void trouble(const QString& message);
 
 private:
-    /// What was heard lately, so that it is not said again. The 15 s count from the cue, not from the end of a long
-    /// sentence: what the engine repeats every 15 s is to be repeated.
+    /// What was heard lately, so that it is not said again. The 15 s count from the cue, not from the end of
+    /// a long sentence: what the engine repeats every 15 s is to be repeated.
     struct Told {
         guidance::Cue cue;
         QString text;

@@ -10,7 +10,9 @@
 #include <vector>
 
 // A static library's resources are dropped by the linker unless something names them; outside any namespace.
-static void nameTranslations() { Q_INIT_RESOURCE(farol_translations); }
+static void nameTranslations() {
+    Q_INIT_RESOURCE(farol_translations);
+}
 
 namespace farol::ui {
 
@@ -61,6 +63,8 @@ bool installTranslation(const QString& language) {
     return found;
 }
 
-QString installedLanguage() { return currentLanguage(); }
+QString installedLanguage() {
+    return currentLanguage();
+}
 
 } // namespace farol::ui

@@ -12,7 +12,9 @@ namespace farol::ui {
 namespace {
 
 /// Farol's own engine then writes files and needs no device.
-bool writesFiles() { return !qEnvironmentVariableIsEmpty("FAROL_SPEECH_WAV"); }
+bool writesFiles() {
+    return !qEnvironmentVariableIsEmpty("FAROL_SPEECH_WAV");
+}
 
 } // namespace
 
@@ -42,10 +44,11 @@ bool Voice::startEngine(const QString& engine, QString* why) {
     }
     const QLocale locale = speechLocale(m_choice.language);
     const QList<QLocale> known = made->availableLocales();
-    const bool speaksIt = std::any_of(known.begin(), known.end(),
-                                      [&](const QLocale& one) { return one.language() == locale.language(); });
+    const bool speaksIt = std::any_of(
+        known.begin(), known.end(), [&](const QLocale& one) { return one.language() == locale.language(); });
     if (!speaksIt) {
-        *why = tr("The voice \"%1\" does not speak this language. Choose another one in the settings.").arg(engine);
+        *why = tr("The voice \"%1\" does not speak this language. Choose another one in the settings.")
+                   .arg(engine);
         return false;
     }
     made->setLocale(locale);
@@ -89,7 +92,8 @@ void Voice::say(int serial, const QString& text) {
         return;
     }
     m_engine->say(text);
-    if (m_serial == serial && m_endsToIgnore == 0 && m_engine->state() == QTextToSpeech::Speaking) m_begun = true;
+    if (m_serial == serial && m_endsToIgnore == 0 && m_engine->state() == QTextToSpeech::Speaking)
+        m_begun = true;
 }
 
 void Voice::stop() {
@@ -125,7 +129,9 @@ void Voice::fail(const QString& message) {
     if (m_serial == 0) return; // told already, or nobody waits for it
     const int ended = m_serial;
     m_serial = 0;
-    Q_EMIT failed(ended, message.isEmpty() ? tr("The voice does not work. Choose another one in the settings.") : message);
+    Q_EMIT failed(ended, message.isEmpty()
+                             ? tr("The voice does not work. Choose another one in the settings.")
+                             : message);
 }
 
 } // namespace farol::ui

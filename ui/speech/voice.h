@@ -36,9 +36,9 @@ private:
 
     VoiceChoice m_choice;
     std::unique_ptr<QTextToSpeech> m_engine;
-    int m_serial = 0;        ///< of the text being spoken; 0: none
-    bool m_begun = false;    ///< the engine has said that it speaks this text
-    int m_endsToIgnore = 0;  ///< ends of stopped texts that an engine still has to report
+    int m_serial = 0;       ///< of the text being spoken; 0: none
+    bool m_begun = false;   ///< the engine has said that it speaks this text
+    int m_endsToIgnore = 0; ///< ends of stopped texts that an engine still has to report
 };
 
 } // namespace farol::ui

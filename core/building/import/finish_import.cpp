@@ -1,6 +1,5 @@
-#include "core/building/import/finishing.h"
-
 #include "core/base/text.h"
+#include "core/building/import/finishing.h"
 
 #include <algorithm>
 #include <exception>
@@ -9,8 +8,8 @@
 
 namespace farol::building {
 
-void FindingList::add(Severity severity, const std::string& rule, const std::string& message, const std::string& layer,
-                      const std::string& id) {
+void FindingList::add(Severity severity, const std::string& rule, const std::string& message,
+                      const std::string& layer, const std::string& id) {
     auto [place, fresh] = m_grouped.emplace(rule + '\n' + message + '\n' + layer, m_findings.size());
     if (fresh) m_findings.push_back({severity, rule, message, layer, {}});
     std::vector<std::string>& ids = m_findings[place->second].ids;
@@ -51,12 +50,14 @@ Result<ImportedBuilding> finishImport(RawMap raw, MapFormat format) {
         imported.format = format;
         imported.building = std::make_shared<const Building>(std::move(raw.data));
         imported.findings = findings.take();
-        for (Finding& finding : checkBuilding(*imported.building)) imported.findings.push_back(std::move(finding));
+        for (Finding& finding : checkBuilding(*imported.building))
+            imported.findings.push_back(std::move(finding));
         std::stable_sort(imported.findings.begin(), imported.findings.end(),
                          [](const Finding& a, const Finding& b) { return a.severity < b.severity; });
         return imported;
     } catch (const std::exception& failure) {
-        return Error{ErrorCode::Corrupt, std::string("the map cannot be put together (") + failure.what() + ")", ""};
+        return Error{ErrorCode::Corrupt,
+                     std::string("the map cannot be put together (") + failure.what() + ")", ""};
     }
 }
 

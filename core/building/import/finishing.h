@@ -35,7 +35,8 @@ Result<void> mendRegions(RawMap& raw, FindingList& findings);
 void joinAccesses(BuildingData& data, FindingList& findings);
 /// Openings where regions share a border without a wall or an access between them.
 void openSharedBorders(BuildingData& data, FindingList& findings);
-/// Accesses along stairs, lifts and escalators: the source's own links, and, where `byOverlap`, what lies above another.
+/// Accesses along stairs, lifts and escalators: the source's own links, and, where `byOverlap`, what lies
+/// above another.
 void joinLevels(RawMap& raw, bool byOverlap, FindingList& findings);
 void placeLandmarks(BuildingData& data, FindingList& findings);
 void nameRegions(BuildingData& data, FindingList& findings);

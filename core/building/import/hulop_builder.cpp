@@ -27,9 +27,13 @@ Point2 centreOf(const HulopRecords& records) {
 } // namespace
 
 HulopBuilder::HulopBuilder(HulopRecords records, const ImportOptions& options, std::string context)
-    : m_records(std::move(records)), m_options(options), m_context(std::move(context)), m_plane(centreOf(m_records)) {}
+    : m_records(std::move(records)),
+      m_options(options),
+      m_context(std::move(context)),
+      m_plane(centreOf(m_records)) {}
 
-void HulopBuilder::note(Severity severity, const std::string& rule, const std::string& message, const std::string& id) {
+void HulopBuilder::note(Severity severity, const std::string& rule, const std::string& message,
+                        const std::string& id) {
     Finding& finding = m_notes[rule];
     if (finding.rule.empty()) finding = {severity, rule, message, m_context, {}};
     finding.ids.push_back(id);
@@ -41,28 +45,36 @@ std::string HulopBuilder::freeId(const std::string& wish) {
 }
 
 Result<RawMap> HulopBuilder::build() {
-    if (m_records.nodes.size() > kMaxNodes || m_records.links.size() > kMaxLinks || m_records.facilities.size() > kMaxFacilities)
-        return Error{ErrorCode::Corrupt, "has more than 20,000 nodes or facilities or 50,000 links: cut the building out of it", m_context};
+    if (m_records.nodes.size() > kMaxNodes || m_records.links.size() > kMaxLinks ||
+        m_records.facilities.size() > kMaxFacilities)
+        return Error{ErrorCode::Corrupt,
+                     "has more than 20,000 nodes or facilities or 50,000 links: cut the building out of it",
+                     m_context};
     GdalMessages quiet;
     chooseFloors();
     placeNodes();
     if (m_places.empty())
-        return Error{ErrorCode::UnsupportedFormat, "holds no node of a route network with a place", m_context};
+        return Error{ErrorCode::UnsupportedFormat, "holds no node of a route network with a place",
+                     m_context};
     addLinks();
     nameShafts();
     shapeRegions();
     addFacilities();
     for (const std::string& id : m_records.unknown)
-        note(Severity::Note, "hulop-unknown", "features left out: they are no node, link, facility or entrance", id);
+        note(Severity::Note, "hulop-unknown",
+             "features left out: they are no node, link, facility or entrance", id);
     note(Severity::Note, "hulop-shapes",
-         "the network has no areas: each node became a region of strips along its links, cut half-way, and each facility a square "
-         "of 2 m behind its entrance", m_context);
+         "the network has no areas: each node became a region of strips along its links, cut half-way, and "
+         "each facility a square "
+         "of 2 m behind its entrance",
+         m_context);
     m_map.coordinates = RawCoordinates::Geographic;
     m_map.explicitGraph = true;
     std::map<double, Level> levels;
     for (const Region& region : m_map.data.regions) levels[region.level].ordinal = region.level;
     for (auto& [ordinal, level] : levels) {
-        level.ref = formatNumber(!m_zeroBased && ordinal >= 0.0 ? ordinal + 1.0 : ordinal); // as the source calls it
+        level.ref =
+            formatNumber(!m_zeroBased && ordinal >= 0.0 ? ordinal + 1.0 : ordinal); // as the source calls it
         m_map.data.levels.push_back(std::move(level));
     }
     m_plane.toDegrees(m_map.data);
@@ -70,27 +82,35 @@ Result<RawMap> HulopBuilder::build() {
     return std::move(m_map);
 }
 
-/// HULOP's own data count as people do in Japan: 1 is the ground floor, -1 the first below. A file that has a floor 0
-/// counts from 0. --level-from 0 or 1 decides for the user.
+/// HULOP's own data count as people do in Japan: 1 is the ground floor, -1 the first below. A file that has a
+/// floor 0 counts from 0. --level-from 0 or 1 decides for the user.
 void HulopBuilder::chooseFloors() {
     m_zeroBased = std::any_of(m_records.nodes.begin(), m_records.nodes.end(),
                               [](const HulopNode& node) { return node.floorKnown && node.floor == 0.0; });
     bool asked = m_options.levelFrom == "0" || m_options.levelFrom == "1";
-    if (asked) m_zeroBased = m_options.levelFrom == "0";
-    else note(Severity::Warning, "hulop-floors",
-              m_zeroBased ? "floor 0 is taken as the ground floor; say --level-from 1 when it is floor 1"
-                          : "floor 1 is taken as the ground floor; say --level-from 0 when it is floor 0", m_context);
+    if (asked)
+        m_zeroBased = m_options.levelFrom == "0";
+    else
+        note(Severity::Warning, "hulop-floors",
+             m_zeroBased ? "floor 0 is taken as the ground floor; say --level-from 1 when it is floor 1"
+                         : "floor 1 is taken as the ground floor; say --level-from 0 when it is floor 0",
+             m_context);
 }
 
-double HulopBuilder::levelOf(double floor) const { return !m_zeroBased && floor > 0.0 ? floor - 1.0 : floor; }
+double HulopBuilder::levelOf(double floor) const {
+    return !m_zeroBased && floor > 0.0 ? floor - 1.0 : floor;
+}
 
 void HulopBuilder::placeNodes() {
     for (const HulopNode& node : m_records.nodes) {
         if (!node.at || node.id.empty() || m_places.count(node.id) != 0) {
-            note(Severity::Warning, "hulop-node", "nodes left out: they have no place, no id, or the id of another", node.id);
+            note(Severity::Warning, "hulop-node",
+                 "nodes left out: they have no place, no id, or the id of another", node.id);
             continue;
         }
-        if (!node.floorKnown) note(Severity::Warning, "hulop-node-floor", "nodes without a floor are taken to be on the ground", node.id);
+        if (!node.floorKnown)
+            note(Severity::Warning, "hulop-node-floor", "nodes without a floor are taken to be on the ground",
+                 node.id);
         Place place;
         place.at = m_plane.toMetres(*node.at);
         place.level = node.floorKnown ? levelOf(node.floor) : 0.0;
@@ -114,19 +134,22 @@ void HulopBuilder::addLinks() {
 void HulopBuilder::addLink(const HulopLink& link) {
     auto from = m_places.find(link.from), to = m_places.find(link.to);
     if (from == m_places.end() || to == m_places.end() || from == to) {
-        note(Severity::Warning, "hulop-link", "links left out: they do not join two nodes that are there", link.id);
+        note(Severity::Warning, "hulop-link", "links left out: they do not join two nodes that are there",
+             link.id);
         return;
     }
     Place &a = from->second, &b = to->second;
     Polyline line{a.at};
     for (std::size_t i = 1; i + 1 < link.line.size(); ++i) line.push_back(m_plane.toMetres(link.line[i]));
     line.push_back(b.at);
-    bool backwards = link.line.size() > 2 && distance(m_plane.toMetres(link.line.front()), a.at) > distance(m_plane.toMetres(link.line.front()), b.at);
+    bool backwards = link.line.size() > 2 && distance(m_plane.toMetres(link.line.front()), a.at) >
+                                                 distance(m_plane.toMetres(link.line.front()), b.at);
     if (backwards) std::reverse(line.begin() + 1, line.end() - 1);
     Access access;
     access.id = AccessId(freeId(link.id.empty() ? link.from + "-" + link.to : link.id));
     access.kind = link.kind;
-    if (a.level != b.level && !access.changesLevel()) access.kind = AccessKind::Ramp; // walked, so it must slope
+    if (a.level != b.level && !access.changesLevel())
+        access.kind = AccessKind::Ramp; // walked, so it must slope
     access.level = a.level;
     access.regionA = m_map.data.regions[a.region].id;
     access.regionB = m_map.data.regions[b.region].id;
@@ -140,7 +163,8 @@ void HulopBuilder::addLink(const HulopLink& link) {
         Point2 side = Point2{-along.y, along.x} * (link.widthM / 2);
         access.line = {half.back() - side, half.back() + side};
         access.widthM = link.widthM;
-    } else access.line = length(line) < 0.5 ? Polyline{a.at} : line;
+    } else
+        access.line = length(line) < 0.5 ? Polyline{a.at} : line;
     if (access.kind == AccessKind::Elevator)
         for (const Place* place : {&a, &b}) m_map.data.regions[place->region].kind = RegionKind::Elevator;
     m_map.data.accesses.push_back(std::move(access));
@@ -177,14 +201,16 @@ void HulopBuilder::nameShafts() {
 void HulopBuilder::shapeRegions() {
     for (auto& [id, place] : m_places) {
         place.strips.push_back(octagon(place.at, place.reachM));
-        m_map.data.regions[place.region].polygon = joinedStrips(place.strips).value_or(octagon(place.at, 1.0));
+        m_map.data.regions[place.region].polygon =
+            joinedStrips(place.strips).value_or(octagon(place.at, 1.0));
         if (place.links == 0) note(Severity::Warning, "hulop-node-alone", "no link leads to the node", id);
     }
 }
 
 void HulopBuilder::addFacilities() {
     std::map<std::string, std::vector<const HulopEntrance*>> entrances;
-    for (const HulopEntrance& entrance : m_records.entrances) entrances[entrance.facility].push_back(&entrance);
+    for (const HulopEntrance& entrance : m_records.entrances)
+        entrances[entrance.facility].push_back(&entrance);
     std::set<std::string> known;
     for (const HulopFacility& facility : m_records.facilities) {
         known.insert(facility.id);
@@ -199,14 +225,16 @@ void HulopBuilder::addFacilities() {
         if (entered > 0) continue;
         addLandmark(facility);
         if (!facility.pointOfInterest)
-            note(Severity::Warning, "hulop-facility", "no entrance with a known node leads to the facility: it became a landmark", facility.id);
+            note(Severity::Warning, "hulop-facility",
+                 "no entrance with a known node leads to the facility: it became a landmark", facility.id);
     }
     for (const HulopEntrance& entrance : m_records.entrances)
         if (known.count(entrance.facility) == 0)
             note(Severity::Warning, "hulop-entrance", "the facility of the entrance is missing", entrance.id);
 }
 
-void HulopBuilder::addFacilityAt(const HulopFacility& facility, const HulopEntrance& entrance, const Place& place) {
+void HulopBuilder::addFacilityAt(const HulopFacility& facility, const HulopEntrance& entrance,
+                                 const Place& place) {
     Point2 towards{0.0, 1.0};
     if (facility.at && distance(m_plane.toMetres(*facility.at), place.at) > 0.1)
         towards = unitVector(m_plane.toMetres(*facility.at) - place.at);
@@ -221,7 +249,8 @@ void HulopBuilder::addFacilityAt(const HulopFacility& facility, const HulopEntra
     region.kind = facility.toilet ? RegionKind::Toilet : RegionKind::Room;
     region.polygon.outer = {near - half, near + half, far + half, far - half};
     region.extra = attributesOf(facility.tags);
-    if (signedArea(region.polygon.outer) < 0.0) std::reverse(region.polygon.outer.begin(), region.polygon.outer.end());
+    if (signedArea(region.polygon.outer) < 0.0)
+        std::reverse(region.polygon.outer.begin(), region.polygon.outer.end());
     Access access;
     access.id = AccessId(freeId(entrance.id.empty() ? "entrance:" + facility.id : entrance.id));
     access.kind = entrance.kind;
@@ -240,7 +269,9 @@ void HulopBuilder::addFacilityAt(const HulopFacility& facility, const HulopEntra
 const HulopBuilder::Place* HulopBuilder::nearestPlace(Point2 at, std::optional<double> level) const {
     const Place* best = nullptr;
     for (const auto& [id, place] : m_places)
-        if ((!level || place.level == *level) && (best == nullptr || distance(place.at, at) < distance(best->at, at))) best = &place;
+        if ((!level || place.level == *level) &&
+            (best == nullptr || distance(place.at, at) < distance(best->at, at)))
+            best = &place;
     return best;
 }
 
@@ -252,13 +283,15 @@ void HulopBuilder::addLandmark(const HulopFacility& facility) {
     const Place* near = nearestPlace(at, level);
     if (near == nullptr) near = nearestPlace(at, std::nullopt);
     if (distance(at, near->at) > kFarM) {
-        note(Severity::Warning, "hulop-landmark-far", "left out: it lies more than 20 m from every node of its floor", facility.id);
+        note(Severity::Warning, "hulop-landmark-far",
+             "left out: it lies more than 20 m from every node of its floor", facility.id);
         return;
     }
     Landmark landmark;
     landmark.id = LandmarkId(freeId(facility.id));
     landmark.kind = facility.kind;
-    landmark.kindText = facility.kind == Kind::Other ? (facility.kindText.empty() ? "facility" : facility.kindText) : "";
+    landmark.kindText =
+        facility.kind == Kind::Other ? (facility.kindText.empty() ? "facility" : facility.kindText) : "";
     landmark.text = facility.name;
     landmark.level = near->level;
     landmark.heading = facility.heading;

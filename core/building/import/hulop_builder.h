@@ -1,7 +1,7 @@
 #pragma once
-// A building of a HULOP route network, which has no areas. Each node becomes a region: its links as strips of their
-// width, cut half-way to the next node; there an opening leads on. A facility becomes a square of 2 m behind each of
-// its entrances, on the side where the facility lies.
+// A building of a HULOP route network, which has no areas. Each node becomes a region: its links as strips of
+// their width, cut half-way to the next node; there an opening leads on. A facility becomes a square of 2 m
+// behind each of its entrances, on the side where the facility lies.
 
 #include "core/building/import/hulop_records.h"
 #include "core/building/import/importer.h"

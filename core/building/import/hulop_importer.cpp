@@ -40,24 +40,31 @@ public:
                 if (!text) return text.error();
                 std::size_t first = text->find_first_not_of(" \t\r\n");
                 // The map server answers with the bare list.
-                if (first != std::string::npos && (*text)[first] == '[') *text = "{\"features\":" + *text + "}";
+                if (first != std::string::npos && (*text)[first] == '[')
+                    *text = "{\"features\":" + *text + "}";
                 auto collection = readTaggedGeoJson(*text, member.name, findings);
                 if (!collection) return collection.error();
                 for (TaggedFeature& feature : collection->features) features.push_back(std::move(feature));
                 if (context.empty()) context = member.name;
-                if (features.size() > 200000) return Error{ErrorCode::Corrupt, "has more than 200,000 features", source.path};
+                if (features.size() > 200000)
+                    return Error{ErrorCode::Corrupt, "has more than 200,000 features", source.path};
             }
-            auto map = HulopBuilder(hulopRecords(features, options.language), options, context.empty() ? source.path : context).build();
+            auto map = HulopBuilder(hulopRecords(features, options.language), options,
+                                    context.empty() ? source.path : context)
+                           .build();
             if (map) map->findings.insert(map->findings.begin(), findings.begin(), findings.end());
             return map;
         } catch (const std::exception& failure) {
-            return Error{ErrorCode::Corrupt, std::string("cannot be read (") + failure.what() + ")", source.path};
+            return Error{ErrorCode::Corrupt, std::string("cannot be read (") + failure.what() + ")",
+                         source.path};
         }
     }
 };
 
 } // namespace
 
-std::unique_ptr<Importer> makeHulopImporter() { return std::make_unique<HulopImporter>(); }
+std::unique_ptr<Importer> makeHulopImporter() {
+    return std::make_unique<HulopImporter>();
+}
 
 } // namespace farol::building

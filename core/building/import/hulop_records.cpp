@@ -15,15 +15,18 @@ std::string valueOf(const TaggedFeature& feature, std::initializer_list<const ch
     return {};
 }
 
-std::string namedIn(const TaggedFeature& feature, const std::string& language, std::initializer_list<const char*> keys) {
+std::string namedIn(const TaggedFeature& feature, const std::string& language,
+                    std::initializer_list<const char*> keys) {
     if (!language.empty())
         for (const char* key : keys)
             for (const char* joint : {":", "_"})
-                if (const std::string& value = feature.tag(key + (joint + language)); !value.empty()) return value;
+                if (const std::string& value = feature.tag(key + (joint + language)); !value.empty())
+                    return value;
     if (std::string plain = valueOf(feature, keys); !plain.empty()) return plain;
     for (const char* key : keys)
         for (const char* ending : {":en", "_en", ":ja", "_ja"})
-            if (const std::string& value = feature.tag(std::string(key) + ending); !value.empty()) return value;
+            if (const std::string& value = feature.tag(std::string(key) + ending); !value.empty())
+                return value;
     return {};
 }
 
@@ -50,12 +53,14 @@ AccessKind routeKind2018(const std::string& code) {
     return code == "7" ? AccessKind::Ramp : AccessKind::Opening;
 }
 
-/// Both dialects give a class: under 1 m, to 1.5 m, to 2 m, above; 2018 counts from 1 as far as its data show.
+/// Both dialects give a class: under 1 m, to 1.5 m, to 2 m, above; 2018 counts from 1 as far as its data
+/// show.
 double widthOf(const TaggedFeature& feature) {
     std::string code = feature.tag("有効幅員");
     if (code.empty() && !feature.tag("width").empty()) {
         auto number = plainNumber(feature.tag("width"));
-        code = number && *number >= 1.0 && *number <= 4.0 ? std::to_string(static_cast<int>(*number) - 1) : "";
+        code =
+            number && *number >= 1.0 && *number <= 4.0 ? std::to_string(static_cast<int>(*number) - 1) : "";
     }
     if (code == "0") return 1.0;
     if (code == "1") return 1.25;
@@ -111,7 +116,8 @@ HulopEntrance entranceOf(const TaggedFeature& feature, const std::string& langua
 }
 
 /// Entrances of the 2018 dialect stand in the facility: ent1_node, ent2_node, ...
-void addEntrances(const TaggedFeature& feature, const std::string& language, std::vector<HulopEntrance>& entrances) {
+void addEntrances(const TaggedFeature& feature, const std::string& language,
+                  std::vector<HulopEntrance>& entrances) {
     for (int number = 1; number <= 99; ++number) {
         std::string start = "ent" + std::to_string(number) + "_";
         if (!feature.has(start + "node")) break;
@@ -130,14 +136,19 @@ void setInterest(const std::string& sub, HulopFacility& facility) {
     facility.pointOfInterest = true;
     facility.kindText = sub;
     auto has = [&sub](const char* word) { return sub.find(word) != std::string::npos; };
-    if (has("_nav_door_")) facility.kind = Kind::Door;
-    else if (has("elevator")) facility.kind = Kind::Elevator;
-    else if (has("_nav_info_") || has("sign")) facility.kind = Kind::Sign;
-    else if (has("stair")) facility.kind = Kind::Stairs;
+    if (has("_nav_door_"))
+        facility.kind = Kind::Door;
+    else if (has("elevator"))
+        facility.kind = Kind::Elevator;
+    else if (has("_nav_info_") || has("sign"))
+        facility.kind = Kind::Sign;
+    else if (has("stair"))
+        facility.kind = Kind::Stairs;
     if (facility.kind != Kind::Other) facility.kindText.clear();
 }
 
-/// The source tells which way a person looks to whom it is announced, clockwise from north, and how far that may be off.
+/// The source tells which way a person looks to whom it is announced, clockwise from north, and how far that
+/// may be off.
 std::optional<Radians> facing(const TaggedFeature& feature) {
     auto heading = plainNumber(valueOf(feature, {"hulop_heading", "heading"}));
     auto angle = plainNumber(valueOf(feature, {"hulop_angle", "angle"}));
@@ -152,8 +163,9 @@ HulopFacility facilityOf(const TaggedFeature& feature, const std::string& langua
     std::string major = valueOf(feature, {"major_category", "hulop_major_category"});
     std::string sub = valueOf(feature, {"sub_category", "hulop_sub_category"});
     if (major == "_nav_poi_") setInterest(sub, facility);
-    facility.toilet = feature.is("category", "公共用トイレの情報") || feature.has("男女別") || feature.has("toilet") ||
-                      major.find("TOI") != std::string::npos || sub.find("TOI") != std::string::npos;
+    facility.toilet = feature.is("category", "公共用トイレの情報") || feature.has("男女別") ||
+                      feature.has("toilet") || major.find("TOI") != std::string::npos ||
+                      sub.find("TOI") != std::string::npos;
     facility.at = placeOf(feature, "緯度", "lat", "経度", "lon");
     facility.floor = plainNumber(valueOf(feature, {"階層", "hulop_height", "height", "floor"}));
     facility.heading = facing(feature);
@@ -171,7 +183,8 @@ std::optional<double> sexagesimalDegrees(const std::string& text) {
     auto digits = [](const std::string& part) {
         return !part.empty() && part.find_first_not_of("0123456789.") == std::string::npos;
     };
-    std::string parts[] = {rest.substr(0, first), rest.substr(first + 1, second - first - 1), rest.substr(second + 1)};
+    std::string parts[] = {rest.substr(0, first), rest.substr(first + 1, second - first - 1),
+                           rest.substr(second + 1)};
     double values[3] = {};
     for (int i = 0; i < 3; ++i) {
         auto value = digits(parts[i]) ? plainNumber(parts[i]) : std::nullopt;
@@ -185,13 +198,17 @@ std::optional<double> sexagesimalDegrees(const std::string& text) {
 HulopRecords hulopRecords(const std::vector<TaggedFeature>& features, const std::string& language) {
     HulopRecords records;
     for (const TaggedFeature& feature : features) {
-        if (feature.has("リンクID") || feature.has("link_id")) records.links.push_back(linkOf(feature));
-        else if (feature.has("ノードID") || feature.has("node_id")) records.nodes.push_back(nodeOf(feature));
-        else if (feature.has("出入口ID")) records.entrances.push_back(entranceOf(feature, language));
+        if (feature.has("リンクID") || feature.has("link_id"))
+            records.links.push_back(linkOf(feature));
+        else if (feature.has("ノードID") || feature.has("node_id"))
+            records.nodes.push_back(nodeOf(feature));
+        else if (feature.has("出入口ID"))
+            records.entrances.push_back(entranceOf(feature, language));
         else if (feature.has("施設ID") || feature.has("facil_id")) {
             records.facilities.push_back(facilityOf(feature, language));
             addEntrances(feature, language, records.entrances);
-        } else records.unknown.push_back(feature.id);
+        } else
+            records.unknown.push_back(feature.id);
     }
     return records;
 }

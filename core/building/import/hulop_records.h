@@ -1,5 +1,6 @@
 #pragma once
-// The records of a HULOP (NavCog, CaBot) route network in either of its dialects: Japanese keys of 2016, English of 2018.
+// The records of a HULOP (NavCog, CaBot) route network in either of its dialects: Japanese keys of 2016,
+// English of 2018.
 
 #include "core/building/building.h"
 #include "core/building/import/tagged_feature.h"

@@ -15,7 +15,9 @@ namespace {
 using Json = nlohmann::json;
 
 /// Text of a tag that holds an array or object; null when it is none.
-Json parsed(const std::string& text) { return Json::parse(text, nullptr, false); }
+Json parsed(const std::string& text) {
+    return Json::parse(text, nullptr, false);
+}
 
 std::vector<std::string> idsIn(const std::string& text) {
     std::vector<std::string> ids;
@@ -32,13 +34,19 @@ std::string referenceIn(const Json& json) {
     return json.is_object() && id != json.end() && id->is_string() ? id->get<std::string>() : std::string();
 }
 
-std::string partId(const std::string& id, std::size_t part) { return part == 0 ? id : id + "/" + std::to_string(part + 1); }
+std::string partId(const std::string& id, std::size_t part) {
+    return part == 0 ? id : id + "/" + std::to_string(part + 1);
+}
 
 bool onePoint(const TaggedFeature& feature, Point2& at) {
-    if (!feature.points.empty()) at = feature.points.front();
-    else if (!feature.polygons.empty()) at = pointInside(feature.polygons.front());
-    else if (!feature.lines.empty() && !feature.lines.front().empty()) at = feature.lines.front().front();
-    else return false;
+    if (!feature.points.empty())
+        at = feature.points.front();
+    else if (!feature.polygons.empty())
+        at = pointInside(feature.polygons.front());
+    else if (!feature.lines.empty() && !feature.lines.front().empty())
+        at = feature.lines.front().front();
+    else
+        return false;
     return true;
 }
 
@@ -57,8 +65,9 @@ RawMap ImdfBuilder::build() {
     readRelationships();
     for (const char* type : {"section", "geofence"})
         for (const TaggedFeature& feature : files(type))
-            tell(Severity::Note, "imdf-not-used", std::string("features of the type ") + type + " have no place in a building file",
-                 type, feature.id);
+            tell(Severity::Note, "imdf-not-used",
+                 std::string("features of the type ") + type + " have no place in a building file", type,
+                 feature.id);
     m_map.findings = m_findings.take();
     return std::move(m_map);
 }
@@ -69,8 +78,8 @@ const std::vector<TaggedFeature>& ImdfBuilder::files(const std::string& type) co
     return found == m_files.end() ? none : found->second;
 }
 
-void ImdfBuilder::tell(Severity severity, const std::string& rule, const std::string& message, const std::string& layer,
-                       const std::string& id) {
+void ImdfBuilder::tell(Severity severity, const std::string& rule, const std::string& message,
+                       const std::string& layer, const std::string& id) {
     m_findings.add(severity, rule, message, layer, id);
 }
 
@@ -103,8 +112,8 @@ void ImdfBuilder::readLevels() {
     for (const TaggedFeature& feature : files("level")) {
         auto ordinal = plainNumber(feature.tag("ordinal"));
         if (!ordinal || std::abs(*ordinal) > 1000.0)
-            tell(Severity::Warning, "imdf-level-ordinal", "levels have no ordinal; they are taken as the ground floor", "levels",
-                 feature.id);
+            tell(Severity::Warning, "imdf-level-ordinal",
+                 "levels have no ordinal; they are taken as the ground floor", "levels", feature.id);
         if (!ordinal || std::abs(*ordinal) > 1000.0) ordinal = 0.0;
         m_levels.emplace(feature.id, *ordinal);
         auto same = std::find_if(m_map.data.levels.begin(), m_map.data.levels.end(),
@@ -129,8 +138,8 @@ void ImdfBuilder::readLevels() {
 double ImdfBuilder::levelOf(const TaggedFeature& feature, const std::string& layer) {
     auto found = m_levels.find(feature.tag("level_id"));
     if (found != m_levels.end()) return found->second;
-    tell(Severity::Warning, "imdf-level-id", "features name a level that does not exist; the ground floor is assumed", layer,
-         feature.id);
+    tell(Severity::Warning, "imdf-level-id",
+         "features name a level that does not exist; the ground floor is assumed", layer, feature.id);
     return 0.0;
 }
 
@@ -142,20 +151,23 @@ void ImdfBuilder::readUnit(const TaggedFeature& unit) {
     UnitRole role = imdfUnitRole(unit.tag("category"));
     double level = levelOf(unit, "regions");
     if (!role.known)
-        tell(Severity::Note, "imdf-category", "units have a category that IMDF 1.0 does not list; they are taken as rooms",
-             "regions", unit.id);
+        tell(Severity::Note, "imdf-category",
+             "units have a category that IMDF 1.0 does not list; they are taken as rooms", "regions",
+             unit.id);
     if (!role.walkable) {
-        tell(Severity::Note, "imdf-not-walkable", "units are walls, columns or voids: they became walls", "walls", unit.id);
+        tell(Severity::Note, "imdf-not-walkable", "units are walls, columns or voids: they became walls",
+             "walls", unit.id);
         addWalls(unit, level);
         return;
     }
     if (unit.polygons.empty()) {
-        tell(Severity::Warning, "imdf-unit-outline", "units have no outline and were left out", "regions", unit.id);
+        tell(Severity::Warning, "imdf-unit-outline", "units have no outline and were left out", "regions",
+             unit.id);
         return;
     }
     if (unit.polygons.size() > 1)
-        tell(Severity::Warning, "region-split", "regions fell into several parts: each part is a region of its own", "regions",
-             unit.id);
+        tell(Severity::Warning, "region-split",
+             "regions fell into several parts: each part is a region of its own", "regions", unit.id);
     m_units.emplace(unit.id, m_map.data.regions.size());
     for (std::size_t part = 0; part < unit.polygons.size(); ++part) {
         Region region;
@@ -171,7 +183,9 @@ void ImdfBuilder::readUnit(const TaggedFeature& unit) {
 }
 
 void ImdfBuilder::addWalls(const TaggedFeature& feature, double level) {
-    auto add = [&](Polyline line) { m_map.data.walls.push_back({level, std::move(line), attributesOf(feature.tags)}); };
+    auto add = [&](Polyline line) {
+        m_map.data.walls.push_back({level, std::move(line), attributesOf(feature.tags)});
+    };
     for (const Polygon& polygon : feature.polygons) {
         std::vector<Ring> rings = polygon.holes;
         rings.insert(rings.begin(), polygon.outer);
@@ -186,13 +200,14 @@ void ImdfBuilder::addWalls(const TaggedFeature& feature, double level) {
 
 void ImdfBuilder::readOccupants() {
     std::map<std::string, std::string> unitOfAnchor;
-    for (const TaggedFeature& anchor : files("anchor")) unitOfAnchor.emplace(anchor.id, anchor.tag("unit_id"));
+    for (const TaggedFeature& anchor : files("anchor"))
+        unitOfAnchor.emplace(anchor.id, anchor.tag("unit_id"));
     for (const TaggedFeature& occupant : files("occupant")) {
         auto anchor = unitOfAnchor.find(occupant.tag("anchor_id"));
         auto unit = anchor == unitOfAnchor.end() ? m_units.end() : m_units.find(anchor->second);
         if (unit == m_units.end()) {
-            tell(Severity::Warning, "imdf-occupant-anchor", "occupants have no anchor in a unit and were left out", "regions",
-                 occupant.id);
+            tell(Severity::Warning, "imdf-occupant-anchor",
+                 "occupants have no anchor in a unit and were left out", "regions", occupant.id);
             continue;
         }
         Region& region = m_map.data.regions[unit->second];
@@ -212,7 +227,9 @@ void ImdfBuilder::readOpenings() {
 
 void ImdfBuilder::readOpening(const TaggedFeature& opening) {
     Json door = parsed(opening.tag("door"));
-    auto member = [&](const char* key) { return door.is_object() && door.contains(key) ? door[key] : Json(); };
+    auto member = [&](const char* key) {
+        return door.is_object() && door.contains(key) ? door[key] : Json();
+    };
     Access access;
     // A door that is not described may still be there: it is announced as one.
     access.kind = member("type") == "open" ? AccessKind::Opening : AccessKind::Door;
@@ -225,10 +242,12 @@ void ImdfBuilder::readOpening(const TaggedFeature& opening) {
         opening.tag("access_control").find("outofservice") != std::string::npos) {
         access.closed = true;
         tell(Severity::Note, "imdf-opening-closed",
-             "openings are emergency exits, for vehicles or out of service: nobody is led through them", "accesses", opening.id);
+             "openings are emergency exits, for vehicles or out of service: nobody is led through them",
+             "accesses", opening.id);
     }
     if (opening.lines.empty()) {
-        tell(Severity::Warning, "imdf-opening-line", "openings have no line and were left out", "accesses", opening.id);
+        tell(Severity::Warning, "imdf-opening-line", "openings have no line and were left out", "accesses",
+             opening.id);
         return;
     }
     m_openings.emplace(opening.id, m_map.data.accesses.size());
@@ -251,7 +270,8 @@ void ImdfBuilder::readAmenity(const TaggedFeature& amenity) {
     landmark.text = label(amenity, "name");
     landmark.extra = attributesOf(amenity.tags);
     if (!onePoint(amenity, landmark.position)) {
-        tell(Severity::Warning, "imdf-amenity-point", "amenities have no point and were left out", "landmarks", amenity.id);
+        tell(Severity::Warning, "imdf-amenity-point", "amenities have no point and were left out",
+             "landmarks", amenity.id);
         return;
     }
     std::set<double> levels;
@@ -260,19 +280,21 @@ void ImdfBuilder::readAmenity(const TaggedFeature& amenity) {
         if (unit == m_units.end()) continue;
         const Region& region = m_map.data.regions[unit->second];
         levels.insert(region.level);
-        if (landmark.region.empty() && contains(region.polygon, landmark.position)) landmark.region = region.id;
+        if (landmark.region.empty() && contains(region.polygon, landmark.position))
+            landmark.region = region.id;
     }
     for (const auto& [id, ordinal] : m_levels)
         if (levels.empty() || m_levels.size() == 1) levels.insert(ordinal);
     if (levels.size() != 1) {
         std::set<double> over;
         for (const Region& region : m_map.data.regions)
-            if (levels.count(region.level) != 0 && contains(region.polygon, landmark.position)) over.insert(region.level);
+            if (levels.count(region.level) != 0 && contains(region.polygon, landmark.position))
+                over.insert(region.level);
         if (over.size() == 1) levels = over;
     }
     if (levels.size() != 1)
-        tell(Severity::Warning, "imdf-amenity-level", "amenities name no unit that tells their level and were left out",
-             "landmarks", amenity.id);
+        tell(Severity::Warning, "imdf-amenity-level",
+             "amenities name no unit that tells their level and were left out", "landmarks", amenity.id);
     if (levels.size() != 1) return;
     landmark.level = *levels.begin();
     m_map.data.landmarks.push_back(std::move(landmark));
@@ -313,8 +335,8 @@ void ImdfBuilder::readRelationship(const TaggedFeature& relationship) {
     }
     std::erase_if(steps, [this](const std::string& id) { return m_units.count(id) == 0; });
     if (steps.size() < 2)
-        tell(Severity::Warning, "imdf-relationship", "relationships do not name two units and were left out", "accesses",
-             relationship.id);
+        tell(Severity::Warning, "imdf-relationship", "relationships do not name two units and were left out",
+             "accesses", relationship.id);
     for (std::size_t i = 1; i < steps.size(); ++i) {
         RawMap::VerticalLink link;
         link.from = RegionId(steps[i - 1]);

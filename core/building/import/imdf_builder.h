@@ -17,15 +17,16 @@ using ImdfFiles = std::map<std::string, std::vector<TaggedFeature>>;
 
 class ImdfBuilder {
 public:
-    ImdfBuilder(const ImdfFiles& files, std::string language) : m_files(files), m_language(std::move(language)) {}
+    ImdfBuilder(const ImdfFiles& files, std::string language)
+        : m_files(files), m_language(std::move(language)) {}
     RawMap build();
 
 private:
     const std::vector<TaggedFeature>& files(const std::string& type) const;
     std::string label(const TaggedFeature& feature, const std::string& key) const;
     double levelOf(const TaggedFeature& feature, const std::string& layer);
-    void tell(Severity severity, const std::string& rule, const std::string& message, const std::string& layer,
-              const std::string& id);
+    void tell(Severity severity, const std::string& rule, const std::string& message,
+              const std::string& layer, const std::string& id);
     void readTitle();
     void readLevels();
     void readUnits();
@@ -46,8 +47,8 @@ private:
     std::string m_language;
     RawMap m_map;
     FindingList m_findings;
-    std::map<std::string, double> m_levels;                    ///< id -> ordinal
-    std::map<std::string, std::size_t> m_units, m_openings;    ///< id -> index of the first part
+    std::map<std::string, double> m_levels;                 ///< id -> ordinal
+    std::map<std::string, std::size_t> m_units, m_openings; ///< id -> index of the first part
 };
 
 } // namespace farol::building

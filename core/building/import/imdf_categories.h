@@ -11,9 +11,9 @@ namespace farol::building {
 
 struct UnitRole {
     RegionKind kind = RegionKind::Room;
-    bool walkable = true;   ///< false: a wall, a column, a void
+    bool walkable = true; ///< false: a wall, a column, a void
     bool restricted = false;
-    bool known = true;      ///< a word of the standard
+    bool known = true; ///< a word of the standard
 };
 
 UnitRole imdfUnitRole(const std::string& category);

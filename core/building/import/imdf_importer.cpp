@@ -11,8 +11,9 @@ namespace farol::building {
 namespace {
 
 constexpr std::uint64_t kLargestFile = 128ULL << 20U;
-constexpr const char* kTypes[] = {"venue", "building", "level", "unit", "opening", "amenity", "anchor", "occupant",
-                                  "relationship", "fixture", "kiosk", "detail", "section", "geofence"};
+constexpr const char* kTypes[] = {"venue",   "building", "level",    "unit",         "opening",
+                                  "amenity", "anchor",   "occupant", "relationship", "fixture",
+                                  "kiosk",   "detail",   "section",  "geofence"};
 
 /// The folders, within the source, that hold a unit.geojson.
 std::vector<std::string> venueFolders(const SourceListing& source) {
@@ -47,29 +48,36 @@ public:
     Result<RawMap> read(const SourceListing& source, const ImportOptions& options) const override {
         std::vector<std::string> folders = venueFolders(source);
         if (folders.empty())
-            return Error{ErrorCode::UnsupportedFormat, "holds no unit.geojson: name the folder or zip of an IMDF venue", source.path};
+            return Error{ErrorCode::UnsupportedFormat,
+                         "holds no unit.geojson: name the folder or zip of an IMDF venue", source.path};
         if (folders.size() > 1)
             return Error{ErrorCode::InvalidArgument,
-                         "holds " + std::to_string(folders.size()) + " IMDF venues: name the folder of one of them, such as " +
-                             folders.front(), source.path};
+                         "holds " + std::to_string(folders.size()) +
+                             " IMDF venues: name the folder of one of them, such as " + folders.front(),
+                         source.path};
         try {
             return readVenue(source, folders.front(), options);
         } catch (const std::exception& failure) {
-            return Error{ErrorCode::Corrupt, std::string("cannot be read (") + failure.what() + ")", source.path};
+            return Error{ErrorCode::Corrupt, std::string("cannot be read (") + failure.what() + ")",
+                         source.path};
         }
     }
 
 private:
     static std::string languageOf(const SourceListing& source, const std::string& folder) {
         const SourceMember* manifest = memberNamed(source, folder + "manifest.json");
-        auto text = manifest == nullptr ? Result<std::string>(std::string()) : source.content(*manifest, 1U << 20U);
+        auto text =
+            manifest == nullptr ? Result<std::string>(std::string()) : source.content(*manifest, 1U << 20U);
         if (!text) return {};
         auto json = nlohmann::json::parse(*text, nullptr, false);
         auto language = json.is_object() ? json.find("language") : json.end();
-        return json.is_object() && language != json.end() && language->is_string() ? language->get<std::string>() : std::string();
+        return json.is_object() && language != json.end() && language->is_string()
+                   ? language->get<std::string>()
+                   : std::string();
     }
 
-    static Result<RawMap> readVenue(const SourceListing& source, const std::string& folder, const ImportOptions& options) {
+    static Result<RawMap> readVenue(const SourceListing& source, const std::string& folder,
+                                    const ImportOptions& options) {
         ImdfFiles files;
         std::vector<Finding> findings;
         for (const char* type : kTypes) {
@@ -90,6 +98,8 @@ private:
 
 } // namespace
 
-std::unique_ptr<Importer> makeImdfImporter() { return std::make_unique<ImdfImporter>(); }
+std::unique_ptr<Importer> makeImdfImporter() {
+    return std::make_unique<ImdfImporter>();
+}
 
 } // namespace farol::building

@@ -9,9 +9,13 @@ namespace farol::building {
 namespace {
 
 constexpr std::array<std::pair<MapFormat, const char*>, 8> kFormats{{{MapFormat::Shapefile, "shapefile"},
-    {MapFormat::GeoPackage, "geopackage"}, {MapFormat::GeoJson, "geojson"}, {MapFormat::Imdf, "imdf"},
-    {MapFormat::Osm, "osm"}, {MapFormat::IndoorGml, "indoorgml"}, {MapFormat::Hulop, "hulop"},
-    {MapFormat::Wrld, "wrld"}}};
+                                                                     {MapFormat::GeoPackage, "geopackage"},
+                                                                     {MapFormat::GeoJson, "geojson"},
+                                                                     {MapFormat::Imdf, "imdf"},
+                                                                     {MapFormat::Osm, "osm"},
+                                                                     {MapFormat::IndoorGml, "indoorgml"},
+                                                                     {MapFormat::Hulop, "hulop"},
+                                                                     {MapFormat::Wrld, "wrld"}}};
 
 /// Every reader there is, the more specific first where two recognise a source equally well.
 std::vector<std::unique_ptr<Importer>> allImporters() {
@@ -28,7 +32,8 @@ std::vector<std::unique_ptr<Importer>> allImporters() {
 
 std::string formatWords(const std::vector<std::unique_ptr<Importer>>& importers) {
     std::string words;
-    for (const auto& importer : importers) words += (words.empty() ? "" : ", ") + mapFormatName(importer->format());
+    for (const auto& importer : importers)
+        words += (words.empty() ? "" : ", ") + mapFormatName(importer->format());
     return words;
 }
 
@@ -36,7 +41,8 @@ std::string membersOf(const SourceListing& source) {
     std::string names;
     for (std::size_t i = 0; i < source.members.size() && i < 5; ++i)
         names += (i == 0 ? "" : ", ") + source.members[i].name;
-    return source.members.size() > 5 ? names + " and " + std::to_string(source.members.size() - 5) + " more" : names;
+    return source.members.size() > 5 ? names + " and " + std::to_string(source.members.size() - 5) + " more"
+                                     : names;
 }
 
 Result<std::unique_ptr<Importer>> chosenImporter(const SourceListing& source, const ImportOptions& options) {

@@ -1,7 +1,8 @@
 #pragma once
-// Any indoor map in: importers behind one interface, chosen by content. An importer only reads: it answers a RawMap in
-// the source's own coordinates and with what the source says. What all formats need alike (a metric CRS, repaired
-// polygons, the two sides of each access, shafts, open boundaries, names) is done once, in finishImport().
+// Any indoor map in: importers behind one interface, chosen by content. An importer only reads: it answers a
+// RawMap in the source's own coordinates and with what the source says. What all formats need alike (a metric
+// CRS, repaired polygons, the two sides of each access, shafts, open boundaries, names) is done once, in
+// finishImport().
 
 #include "core/base/error.h"
 #include "core/building/building.h"
@@ -16,11 +17,12 @@
 
 namespace farol::building {
 
-/// What lies at the path a user named: one file, a folder, or the members of a zip. Made once, with limits on the
-/// number of members, their sizes and the packing ratio, so that a bomb or "../" names are refused before any reading.
+/// What lies at the path a user named: one file, a folder, or the members of a zip. Made once, with limits on
+/// the number of members, their sizes and the packing ratio, so that a bomb or "../" names are refused before
+/// any reading.
 struct SourceMember {
-    std::string name;     ///< relative, with '/': "Addenbrookes/unit.geojson"
-    std::string ogrPath;  ///< what OGR and VSI open: a plain path or "/vsizip/..."
+    std::string name;    ///< relative, with '/': "Addenbrookes/unit.geojson"
+    std::string ogrPath; ///< what OGR and VSI open: a plain path or "/vsizip/..."
     std::uint64_t size = 0;
 };
 
@@ -40,26 +42,29 @@ Result<SourceListing> listSource(const std::string& path);
 
 enum class MapFormat { Shapefile, GeoPackage, GeoJson, Imdf, Osm, IndoorGml, Hulop, Wrld };
 
-std::string mapFormatName(MapFormat format); ///< the word of --format: shapefile, geopackage, geojson, imdf, osm, ...
+std::string
+mapFormatName(MapFormat format); ///< the word of --format: shapefile, geopackage, geojson, imdf, osm, ...
 std::optional<MapFormat> mapFormatFromName(const std::string& name);
 
 struct ImportOptions {
     std::optional<MapFormat> format; ///< empty: by content
-    std::string profile;             ///< path of a JSON profile with other column names and code lists; may be empty
-    std::string levelFrom;           ///< where a format leaves it open: "filename", a field's name, "storey", "z"; may be empty
-    std::string language;            ///< which of several names to take: "en", "pt", ...; empty: the first
+    std::string profile; ///< path of a JSON profile with other column names and code lists; may be empty
+    std::string
+        levelFrom; ///< where a format leaves it open: "filename", a field's name, "storey", "z"; may be empty
+    std::string language; ///< which of several names to take: "en", "pt", ...; empty: the first
 };
 
 /// How the coordinates of a RawMap are to be read.
 enum class RawCoordinates { Metric, Geographic, Unknown };
 
 struct RawMap {
-    /// In source coordinates (x east or longitude, y north or latitude). Level ordinals are final. Access sides and
-    /// landmark regions may be empty; `extra` keeps every source attribute that has no field of its own.
+    /// In source coordinates (x east or longitude, y north or latitude). Level ordinals are final. Access
+    /// sides and landmark regions may be empty; `extra` keeps every source attribute that has no field of its
+    /// own.
     BuildingData data; ///< `crs`: WKT of the source when it names one
     RawCoordinates coordinates = RawCoordinates::Unknown;
-    /// Regions that join across levels by the source's own word (IMDF relationship, IndoorGML transition, a steps way):
-    /// pairs of region ids with the access kind.
+    /// Regions that join across levels by the source's own word (IMDF relationship, IndoorGML transition, a
+    /// steps way): pairs of region ids with the access kind.
     struct VerticalLink {
         RegionId from, to;
         AccessKind kind = AccessKind::Stairs;
@@ -68,9 +73,11 @@ struct RawMap {
         std::optional<int> steps;
     };
     std::vector<VerticalLink> verticalLinks;
-    /// Formats with an explicit graph (IndoorGML, HULOP): accesses already name both regions; do not derive others.
+    /// Formats with an explicit graph (IndoorGML, HULOP): accesses already name both regions; do not derive
+    /// others.
     bool explicitGraph = false;
-    /// Thin-wall formats (OSM): regions that share a boundary without a wall or door between them are openly joined.
+    /// Thin-wall formats (OSM): regions that share a boundary without a wall or door between them are openly
+    /// joined.
     bool openBoundaries = false;
     std::vector<Finding> findings; ///< what was odd in the source, with its feature ids
 };
@@ -97,8 +104,9 @@ struct ImportedBuilding {
     std::vector<Finding> findings; ///< of the source, of the mending, and of checkBuilding() at the end
 };
 
-/// Metric CRS (UTM of the place; never 3857), repaired polygons (GEOS through OGR), accesses joined to the two regions
-/// they touch, open boundaries, shafts across levels, names for the unnamed. Whatever is mended is told.
+/// Metric CRS (UTM of the place; never 3857), repaired polygons (GEOS through OGR), accesses joined to the
+/// two regions they touch, open boundaries, shafts across levels, names for the unnamed. Whatever is mended
+/// is told.
 Result<ImportedBuilding> finishImport(RawMap raw, MapFormat format);
 
 /// listSource, the importer that recognises it best, read, finish.

@@ -22,8 +22,10 @@ constexpr double kStoreyGapM = 1.5;
 std::string withoutReverse(std::string reference) {
     reference.erase(0, reference.find('#') == std::string::npos ? 0 : reference.find('#') + 1);
     const std::string suffix = "-REVERSE";
-    std::size_t start = reference.size() >= suffix.size() ? reference.size() - suffix.size() : std::string::npos;
-    if (start != std::string::npos && foldedForMatching(reference.substr(start)) == suffix) reference.erase(start);
+    std::size_t start =
+        reference.size() >= suffix.size() ? reference.size() - suffix.size() : std::string::npos;
+    if (start != std::string::npos && foldedForMatching(reference.substr(start)) == suffix)
+        reference.erase(start);
     return reference;
 }
 
@@ -44,7 +46,8 @@ std::string describedValue(const std::string& description, const std::string& ke
 }
 
 bool hasWord(const std::string& text, std::initializer_list<const char*> words) {
-    return std::any_of(words.begin(), words.end(), [&text](const char* word) { return text.find(word) != std::string::npos; });
+    return std::any_of(words.begin(), words.end(),
+                       [&text](const char* word) { return text.find(word) != std::string::npos; });
 }
 
 /// By the code list of the standard's annex where it is known, else by words.
@@ -108,7 +111,8 @@ std::vector<double> crossings(Point2 from, Point2 to, const Ring& ring) {
 IndoorGmlBuilder::IndoorGmlBuilder(const XmlNode& root, const ImportOptions& options, std::string context)
     : m_root(root), m_options(options), m_context(std::move(context)) {}
 
-void IndoorGmlBuilder::note(Severity severity, const std::string& rule, const std::string& message, const std::string& id) {
+void IndoorGmlBuilder::note(Severity severity, const std::string& rule, const std::string& message,
+                            const std::string& id) {
     Finding& finding = m_notes[rule];
     if (finding.rule.empty()) finding = {severity, rule, message, m_context, {}};
     finding.ids.push_back(id);
@@ -121,18 +125,22 @@ Result<RawMap> IndoorGmlBuilder::build() {
     findCrs(m_root);
     m_geometry.emplace(m_ids, m_swapped);
     readCells(m_root);
-    if (m_cells.size() >= kMaxCells) return Error{ErrorCode::Corrupt, "has more than 50,000 cells", m_context};
+    if (m_cells.size() >= kMaxCells)
+        return Error{ErrorCode::Corrupt, "has more than 50,000 cells", m_context};
     if (m_cells.empty())
-        return Error{ErrorCode::UnsupportedFormat, "has no cell with a usable outline: Farol needs CellSpace geometry", m_context};
+        return Error{ErrorCode::UnsupportedFormat,
+                     "has no cell with a usable outline: Farol needs CellSpace geometry", m_context};
     readStates(m_root);
     readTransitions(m_root);
     setLevels();
     addAccesses();
     addRegions();
     if (m_map.data.regions.empty())
-        return Error{ErrorCode::UnsupportedFormat, "has no cells but doors: rooms and corridors are missing", m_context};
+        return Error{ErrorCode::UnsupportedFormat, "has no cells but doors: rooms and corridors are missing",
+                     m_context};
     m_map.explicitGraph = !m_links.empty();
-    if (m_map.coordinates == RawCoordinates::Unknown) m_map.coordinates = RawCoordinates::Metric; // plain numbers: metres
+    if (m_map.coordinates == RawCoordinates::Unknown)
+        m_map.coordinates = RawCoordinates::Metric; // plain numbers: metres
     for (auto& [rule, finding] : m_notes) m_map.findings.push_back(std::move(finding));
     return std::move(m_map);
 }
@@ -149,16 +157,20 @@ void IndoorGmlBuilder::findCrs(const XmlNode& node) {
         OGRSpatialReference reference;
         const char* const options[] = {"ALLOW_NETWORK_ACCESS=NO", "ALLOW_FILE_ACCESS=NO", nullptr};
         if (reference.SetFromUserInput(name.c_str(), options) == OGRERR_NONE) {
-            bool formal = name.rfind("urn:", 0) == 0 || name.rfind("http", 0) == 0; // these keep the authority's axes
-            m_swapped = formal && (reference.EPSGTreatsAsLatLong() != 0 || reference.EPSGTreatsAsNorthingEasting() != 0);
-            m_map.coordinates = reference.IsGeographic() != 0 ? RawCoordinates::Geographic : RawCoordinates::Metric;
+            bool formal =
+                name.rfind("urn:", 0) == 0 || name.rfind("http", 0) == 0; // these keep the authority's axes
+            m_swapped = formal && (reference.EPSGTreatsAsLatLong() != 0 ||
+                                   reference.EPSGTreatsAsNorthingEasting() != 0);
+            m_map.coordinates =
+                reference.IsGeographic() != 0 ? RawCoordinates::Geographic : RawCoordinates::Metric;
             char* wkt = nullptr;
             const char* const format[] = {"FORMAT=WKT2_2019", nullptr};
             if (reference.exportToWkt(&wkt, format) == OGRERR_NONE && wkt != nullptr) m_map.data.crs = wkt;
             CPLFree(wkt);
             return;
         }
-        note(Severity::Warning, "indoorgml-crs", "the name of the coordinate system is not known; a local plane in metres is assumed", name);
+        note(Severity::Warning, "indoorgml-crs",
+             "the name of the coordinate system is not known; a local plane in metres is assumed", name);
         m_map.coordinates = RawCoordinates::Metric;
     }
     for (const XmlNode& child : node.children) findCrs(child);
@@ -193,7 +205,8 @@ void IndoorGmlBuilder::readCell(const XmlNode& node) {
     const XmlNode* geometry = node.child("cellspacegeometry");
     auto seen = geometry == nullptr ? std::nullopt : m_geometry->footprint(*geometry);
     if (id.empty() || m_cellOf.count(id) != 0 || !seen) {
-        note(Severity::Warning, "indoorgml-cell", "cells left out: they have no outline, no id, or the id of another", id);
+        note(Severity::Warning, "indoorgml-cell",
+             "cells left out: they have no outline, no id, or the id of another", id);
         return;
     }
     Region& region = cell.region;
@@ -223,7 +236,8 @@ void IndoorGmlBuilder::readState(const XmlNode& node) {
     std::string id = node.attribute("id");
     const XmlNode* dual = node.child("duality");
     auto found = m_cellOf.find(id);
-    if (found == m_cellOf.end() && dual != nullptr) found = m_cellOf.find(withoutReverse(dual->attribute("href")));
+    if (found == m_cellOf.end() && dual != nullptr)
+        found = m_cellOf.find(withoutReverse(dual->attribute("href")));
     if (found == m_cellOf.end()) return; // of another layer, such as sensors, or of a cell left out
     m_cellOf.emplace(id, found->second);
     Cell& cell = m_cells[found->second];
@@ -250,16 +264,19 @@ void IndoorGmlBuilder::readTransition(const XmlNode& node) {
         } else if (child.name == "duality") {
             auto found = m_ids.find(withoutReverse(child.attribute("href")));
             if (found != m_ids.end()) link.boundary = found->second;
-        } else if (child.name == "geometry") link.line = flatLine(m_geometry->line(child));
+        } else if (child.name == "geometry")
+            link.line = flatLine(m_geometry->line(child));
     }
     if (ends.size() != 2 || ends[0] == ends[1]) {
-        note(Severity::Warning, "indoorgml-transition", "transitions left out: they do not connect two cells that are there", link.id);
+        note(Severity::Warning, "indoorgml-transition",
+             "transitions left out: they do not connect two cells that are there", link.id);
         return;
     }
     link.a = ends[0];
     link.b = ends[1];
     // The way back is often written as a transition of its own.
-    std::string pair = std::to_string(std::min(link.a, link.b)) + " " + std::to_string(std::max(link.a, link.b)) + " ";
+    std::string pair =
+        std::to_string(std::min(link.a, link.b)) + " " + std::to_string(std::max(link.a, link.b)) + " ";
     if (m_linkKeys.count(pair + roundedKey(link.line, true)) != 0) return;
     if (m_linkKeys.insert(pair + roundedKey(link.line, false)).second) m_links.push_back(std::move(link));
 }
@@ -280,9 +297,12 @@ bool IndoorGmlBuilder::setLevelsByStorey() {
         if (parsed.understood && parsed.levels.size() == 1) {
             ordinals[cell.storey] = parsed.levels.front();
             named.emplace(parsed.levels.front(), cell.storey);
-        } else note(Severity::Warning, "indoorgml-storey", "storeys are named by words; levels were taken from the heights", cell.storey);
+        } else
+            note(Severity::Warning, "indoorgml-storey",
+                 "storeys are named by words; levels were taken from the heights", cell.storey);
     }
-    bool all = std::all_of(m_cells.begin(), m_cells.end(), [&](const Cell& cell) { return ordinals.count(cell.storey) != 0; });
+    bool all = std::all_of(m_cells.begin(), m_cells.end(),
+                           [&](const Cell& cell) { return ordinals.count(cell.storey) != 0; });
     if (!all || ordinals.empty()) return false;
     for (Cell& cell : m_cells) cell.region.level = ordinals[cell.storey];
     for (const auto& [ordinal, name] : named) {
@@ -294,8 +314,8 @@ bool IndoorGmlBuilder::setLevelsByStorey() {
     return true;
 }
 
-/// Floors less than 1.5 m apart are one level. The one nearest to height 0 is the ground, or the lowest when all lie
-/// higher than a storey, as heights above the sea do.
+/// Floors less than 1.5 m apart are one level. The one nearest to height 0 is the ground, or the lowest when
+/// all lie higher than a storey, as heights above the sea do.
 void IndoorGmlBuilder::setLevelsByHeight() {
     std::vector<double> heights;
     for (const Cell& cell : m_cells)
@@ -310,7 +330,8 @@ void IndoorGmlBuilder::setLevelsByHeight() {
     if (floors.empty()) {
         m_map.data.levels.push_back(Level());
         if (m_cells.size() > 1)
-            note(Severity::Warning, "indoorgml-level", "nothing tells the levels: all is taken as level 0; name the field with --level-from", "");
+            note(Severity::Warning, "indoorgml-level",
+                 "nothing tells the levels: all is taken as level 0; name the field with --level-from", "");
         return;
     }
     std::size_t ground = 0;
@@ -328,7 +349,8 @@ void IndoorGmlBuilder::setLevelsByHeight() {
         m_map.data.levels.push_back(std::move(level));
     }
     for (Cell& cell : m_cells) cell.region.level = ordinalOf(cell.z.value_or(floors[ground]));
-    note(Severity::Note, "indoorgml-level-by-height", "levels were counted from the heights of the floors", formatNumber(floors.front()));
+    note(Severity::Note, "indoorgml-level-by-height", "levels were counted from the heights of the floors",
+         formatNumber(floors.front()));
 }
 
 void IndoorGmlBuilder::addRegions() {
@@ -349,21 +371,27 @@ void IndoorGmlBuilder::addAccesses() {
             if (std::find(sides.begin(), sides.end(), other) == sides.end()) sides.push_back(other);
         }
         if (sides.size() != 2 || m_cells[sides[0]].door || m_cells[sides[1]].door) {
-            note(Severity::Note, "indoorgml-door-cell", "the door's cell does not lie between two rooms: it stays a region", m_cells[door].region.id.value);
+            note(Severity::Note, "indoorgml-door-cell",
+                 "the door's cell does not lie between two rooms: it stays a region",
+                 m_cells[door].region.id.value);
             continue;
         }
         const Cell& cell = m_cells[door];
-        addAccess(cell.region.id.value, sides[0], sides[1], {pointInside(cell.region.polygon)}, nullptr, &cell);
+        addAccess(cell.region.id.value, sides[0], sides[1], {pointInside(cell.region.polygon)}, nullptr,
+                  &cell);
         m_collapsed.insert(door);
         used.insert(links.begin(), links.end());
     }
     for (std::size_t i = 0; i < m_links.size(); ++i)
-        if (used.count(i) == 0) addAccess(m_links[i].id, m_links[i].a, m_links[i].b, m_links[i].line, m_links[i].boundary, nullptr);
+        if (used.count(i) == 0)
+            addAccess(m_links[i].id, m_links[i].a, m_links[i].b, m_links[i].line, m_links[i].boundary,
+                      nullptr);
 }
 
 AccessKind IndoorGmlBuilder::kindBetween(const Cell& a, const Cell& b, bool door) const {
     auto either = [&](RegionKind kind) { return a.region.kind == kind || b.region.kind == kind; };
-    if (a.region.level != b.region.level) return either(RegionKind::Elevator) ? AccessKind::Elevator : AccessKind::Stairs;
+    if (a.region.level != b.region.level)
+        return either(RegionKind::Elevator) ? AccessKind::Elevator : AccessKind::Stairs;
     bool both = a.region.kind == RegionKind::Corridor && b.region.kind == RegionKind::Corridor;
     return door || !both ? AccessKind::Door : AccessKind::Opening;
 }
@@ -382,7 +410,8 @@ Point2 IndoorGmlBuilder::passage(const Cell& a, const Cell& b, const Polyline& l
     if (leaves || enters) return leaves ? *leaves : *enters;
     if (line.size() % 2 == 1) return line[line.size() / 2];
     if (!line.empty()) return (line[line.size() / 2 - 1] + line[line.size() / 2]) * 0.5;
-    return (a.state.value_or(centroid(a.region.polygon)) + b.state.value_or(centroid(b.region.polygon))) * 0.5;
+    return (a.state.value_or(centroid(a.region.polygon)) + b.state.value_or(centroid(b.region.polygon))) *
+           0.5;
 }
 
 void IndoorGmlBuilder::addAccess(const std::string& id, std::size_t a, std::size_t b, const Polyline& line,
@@ -396,13 +425,16 @@ void IndoorGmlBuilder::addAccess(const std::string& id, std::size_t a, std::size
     access.regionA = from.region.id;
     access.regionB = to.region.id;
     if (door != nullptr) access.extra["cell_name"] = door->region.name;
-    bool forward = line.size() < 2 || distanceToPolygon(from.region.polygon, line.front()) <= distanceToPolygon(to.region.polygon, line.front());
+    bool forward = line.size() < 2 || distanceToPolygon(from.region.polygon, line.front()) <=
+                                          distanceToPolygon(to.region.polygon, line.front());
     access.line = {passage(forward ? from : to, forward ? to : from, line)};
     // A thin-wall door is as wide as its boundary.
     if (const XmlNode* wall = boundary == nullptr ? nullptr : boundary->child("cellspaceboundarygeometry")) {
         Polyline points = flatLine(m_geometry->line(*wall));
         if (points.size() >= 2) {
-            auto farthest = std::max_element(points.begin(), points.end(), [&](Point2 p, Point2 q) { return distance(points[0], p) < distance(points[0], q); });
+            auto farthest = std::max_element(points.begin(), points.end(), [&](Point2 p, Point2 q) {
+                return distance(points[0], p) < distance(points[0], q);
+            });
             if (distance(points[0], *farthest) > 0.0) access.line = {points[0], *farthest};
         }
     }

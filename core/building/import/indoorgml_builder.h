@@ -1,6 +1,6 @@
 #pragma once
-// A building of an IndoorGML document: cells become regions, transitions become accesses, and a door that is a cell
-// of its own (ConnectionSpace) becomes the access between the two cells beside it.
+// A building of an IndoorGML document: cells become regions, transitions become accesses, and a door that is
+// a cell of its own (ConnectionSpace) becomes the access between the two cells beside it.
 
 #include "core/building/import/importer.h"
 #include "core/building/import/indoorgml_geometry.h"
@@ -48,8 +48,8 @@ private:
     void setLevelsByHeight();
     void addRegions();
     void addAccesses();
-    void addAccess(const std::string& id, std::size_t a, std::size_t b, const Polyline& line, const XmlNode* boundary,
-                   const Cell* door);
+    void addAccess(const std::string& id, std::size_t a, std::size_t b, const Polyline& line,
+                   const XmlNode* boundary, const Cell* door);
     AccessKind kindBetween(const Cell& a, const Cell& b, bool door) const;
     Point2 passage(const Cell& a, const Cell& b, const Polyline& line) const;
     void note(Severity severity, const std::string& rule, const std::string& message, const std::string& id);

@@ -14,7 +14,7 @@ namespace farol::building {
 
 namespace {
 
-constexpr double kFlatM = 0.05;      ///< a face that differs by less in height is horizontal
+constexpr double kFlatM = 0.05; ///< a face that differs by less in height is horizontal
 constexpr double kOneFloorM = 0.4;
 constexpr double kLeastAreaM2 = 0.01;
 
@@ -49,8 +49,10 @@ Polygon flat(const std::vector<Line3>& rings) {
     Polygon polygon;
     for (std::size_t i = 0; i < rings.size(); ++i) {
         Ring ring = flat(rings[i]);
-        if (i == 0) polygon.outer = std::move(ring);
-        else if (ring.size() >= 3) polygon.holes.push_back(std::move(ring));
+        if (i == 0)
+            polygon.outer = std::move(ring);
+        else if (ring.size() >= 3)
+            polygon.holes.push_back(std::move(ring));
     }
     return polygon;
 }
@@ -89,7 +91,8 @@ Line3 GmlGeometry::coordinates(const XmlNode& node, std::size_t dimension) {
     Line3 points;
     for (const XmlNode& child : node.children) {
         std::size_t own = dimensionOf(child, dimensionOf(node, dimension));
-        if (child.name == "pos" || child.name == "poslist" || child.name == "coordinates") append(child.text, own, points);
+        if (child.name == "pos" || child.name == "poslist" || child.name == "coordinates")
+            append(child.text, own, points);
         else if (child.name == "pointproperty" || child.name == "point")
             for (Point3 point : coordinates(child, own)) points.push_back(point);
     }
@@ -107,7 +110,8 @@ Line3 GmlGeometry::line(const XmlNode& geometry, std::size_t dimension) {
     return {};
 }
 
-void GmlGeometry::collectFaces(const XmlNode& node, std::size_t dimension, int hops, std::vector<Face>& faces) {
+void GmlGeometry::collectFaces(const XmlNode& node, std::size_t dimension, int hops,
+                               std::vector<Face>& faces) {
     if (m_budget == 0) return;
     --m_budget;
     dimension = dimensionOf(node, dimension);
@@ -116,7 +120,8 @@ void GmlGeometry::collectFaces(const XmlNode& node, std::size_t dimension, int h
         auto found = m_index.find(reference.substr(1));
         if (found != m_index.end()) collectFaces(*found->second, dimension, hops + 1, faces);
     }
-    if (node.name != "polygon" && node.name != "polygonpatch" && node.name != "rectangle" && node.name != "triangle") {
+    if (node.name != "polygon" && node.name != "polygonpatch" && node.name != "rectangle" &&
+        node.name != "triangle") {
         for (const XmlNode& child : node.children) collectFaces(child, dimension, hops, faces);
         return;
     }
@@ -127,8 +132,10 @@ void GmlGeometry::collectFaces(const XmlNode& node, std::size_t dimension, int h
             continue;
         Line3 ring = line(border, dimension);
         bool outer = border.name == "exterior" || border.name == "outerboundaryis";
-        if (outer) face.rings.insert(face.rings.begin(), std::move(ring));
-        else face.rings.push_back(std::move(ring));
+        if (outer)
+            face.rings.insert(face.rings.begin(), std::move(ring));
+        else
+            face.rings.push_back(std::move(ring));
     }
     if (!face.rings.empty() && face.rings.front().size() >= 3) faces.push_back(std::move(face));
 }
@@ -167,7 +174,9 @@ std::optional<Footprint> GmlGeometry::footprint(const XmlNode& geometry) {
     auto bigger = [](const Polygon& a, const Polygon& b) { return area(a) < area(b); };
     result.polygon = *std::max_element(polygons.begin(), polygons.end(), bigger);
     auto& holes = result.polygon.holes; // slivers between faces that nearly meet
-    holes.erase(std::remove_if(holes.begin(), holes.end(), [](const Ring& hole) { return std::abs(signedArea(hole)) < kLeastAreaM2; }), holes.end());
+    holes.erase(std::remove_if(holes.begin(), holes.end(),
+                               [](const Ring& hole) { return std::abs(signedArea(hole)) < kLeastAreaM2; }),
+                holes.end());
     return result;
 }
 

@@ -30,9 +30,11 @@ class GmlGeometry {
 public:
     GmlGeometry(const XmlIndex& index, bool swapped) : m_index(index), m_swapped(swapped) {}
 
-    /// Of a solid: its lowest horizontal faces (steps up to 0.4 m are one floor); of surfaces: all, from above.
+    /// Of a solid: its lowest horizontal faces (steps up to 0.4 m are one floor); of surfaces: all, from
+    /// above.
     std::optional<Footprint> footprint(const XmlNode& geometry);
-    /// The coordinates of the first point or line under the element; empty when there are none or one is no number.
+    /// The coordinates of the first point or line under the element; empty when there are none or one is no
+    /// number.
     Line3 line(const XmlNode& geometry, std::size_t dimension = 0);
 
 private:

@@ -18,7 +18,8 @@ public:
     Result<RawMap> read(const SourceListing& source, const ImportOptions& options) const override {
         const SourceMember* member = find(source);
         if (member == nullptr && source.members.size() == 1) member = &source.members.front();
-        if (member == nullptr) return Error{ErrorCode::UnsupportedFormat, "holds no IndoorGML file", source.path};
+        if (member == nullptr)
+            return Error{ErrorCode::UnsupportedFormat, "holds no IndoorGML file", source.path};
         try {
             auto bytes = source.content(*member, kMaxBytes);
             if (!bytes) return bytes.error();
@@ -26,7 +27,8 @@ public:
             if (!document) return document.error();
             return IndoorGmlBuilder(*document, options, member->name).build();
         } catch (const std::exception& failure) {
-            return Error{ErrorCode::Corrupt, std::string("cannot be read (") + failure.what() + ")", member->name};
+            return Error{ErrorCode::Corrupt, std::string("cannot be read (") + failure.what() + ")",
+                         member->name};
         }
     }
 
@@ -43,6 +45,8 @@ private:
 
 } // namespace
 
-std::unique_ptr<Importer> makeIndoorGmlImporter() { return std::make_unique<IndoorGmlImporter>(); }
+std::unique_ptr<Importer> makeIndoorGmlImporter() {
+    return std::make_unique<IndoorGmlImporter>();
+}
 
 } // namespace farol::building

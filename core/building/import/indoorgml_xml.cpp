@@ -1,9 +1,8 @@
 #include "core/building/import/indoorgml_xml.h"
 
-#include <expat.h>
-
 #include <algorithm>
 #include <cctype>
+#include <expat.h>
 #include <memory>
 
 namespace farol::building {
@@ -18,7 +17,8 @@ std::string localName(const char* name) {
     std::string text(name);
     text.erase(0, text.rfind(kSeparator) + 1);
     text.erase(0, text.rfind(':') + 1); // a prefix that nothing declares
-    std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    std::transform(text.begin(), text.end(), text.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     return text;
 }
 
@@ -57,8 +57,10 @@ void XMLCALL endElement(void* data, const XML_Char*) {
     XmlNode done = std::move(state.open.back());
     state.open.pop_back();
     trim(done.text);
-    if (state.open.empty()) state.root = std::move(done);
-    else state.open.back().children.push_back(std::move(done));
+    if (state.open.empty())
+        state.root = std::move(done);
+    else
+        state.open.back().children.push_back(std::move(done));
 }
 
 void XMLCALL characters(void* data, const XML_Char* text, int size) {
@@ -66,8 +68,8 @@ void XMLCALL characters(void* data, const XML_Char* text, int size) {
     if (!state.open.empty()) state.open.back().text.append(text, static_cast<std::size_t>(size));
 }
 
-void XMLCALL entityDeclared(void* data, const XML_Char*, int, const XML_Char*, int, const XML_Char*, const XML_Char*,
-                            const XML_Char*, const XML_Char*) {
+void XMLCALL entityDeclared(void* data, const XML_Char*, int, const XML_Char*, int, const XML_Char*,
+                            const XML_Char*, const XML_Char*, const XML_Char*) {
     static_cast<State*>(data)->refuse("declares entities, which no map needs");
 }
 
@@ -78,7 +80,8 @@ struct ParserFree {
 } // namespace
 
 const XmlNode* XmlNode::child(const std::string& childName) const {
-    auto found = std::find_if(children.begin(), children.end(), [&](const XmlNode& node) { return node.name == childName; });
+    auto found = std::find_if(children.begin(), children.end(),
+                              [&](const XmlNode& node) { return node.name == childName; });
     return found == children.end() ? nullptr : &*found;
 }
 
@@ -93,7 +96,8 @@ std::string XmlNode::childText(const std::string& childName) const {
 }
 
 Result<XmlNode> parseXml(const std::string& bytes, const std::string& context) {
-    std::unique_ptr<std::remove_pointer_t<XML_Parser>, ParserFree> parser(XML_ParserCreateNS(nullptr, kSeparator));
+    std::unique_ptr<std::remove_pointer_t<XML_Parser>, ParserFree> parser(
+        XML_ParserCreateNS(nullptr, kSeparator));
     if (parser == nullptr) return Error{ErrorCode::Internal, "there is no memory for reading XML", context};
     State state;
     state.parser = parser.get();
@@ -105,10 +109,13 @@ Result<XmlNode> parseXml(const std::string& bytes, const std::string& context) {
     for (std::size_t at = 0;; at += kBlock) {
         std::size_t size = at < bytes.size() ? std::min(kBlock, bytes.size() - at) : 0;
         bool last = at + size >= bytes.size();
-        if (XML_Parse(parser.get(), bytes.data() + std::min(at, bytes.size()), static_cast<int>(size), last) != XML_STATUS_OK) {
-            std::string why = state.refusal.empty() ? std::string("is damaged XML: ") + XML_ErrorString(XML_GetErrorCode(parser.get()))
+        if (XML_Parse(parser.get(), bytes.data() + std::min(at, bytes.size()), static_cast<int>(size),
+                      last) != XML_STATUS_OK) {
+            std::string why = state.refusal.empty() ? std::string("is damaged XML: ") +
+                                                          XML_ErrorString(XML_GetErrorCode(parser.get()))
                                                     : state.refusal;
-            return Error{ErrorCode::Corrupt, why, context + ", line " + std::to_string(XML_GetCurrentLineNumber(parser.get()))};
+            return Error{ErrorCode::Corrupt, why,
+                         context + ", line " + std::to_string(XML_GetCurrentLineNumber(parser.get()))};
         }
         if (last) break;
     }

@@ -1,6 +1,6 @@
 #pragma once
-// A small tree of an XML document, by expat. Names lose their prefix and their case, as IndoorGML files differ in both.
-// Documents that declare entities are refused; nothing outside the text is ever looked up.
+// A small tree of an XML document, by expat. Names lose their prefix and their case, as IndoorGML files
+// differ in both. Documents that declare entities are refused; nothing outside the text is ever looked up.
 
 #include "core/base/error.h"
 

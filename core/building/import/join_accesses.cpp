@@ -1,5 +1,4 @@
 #include "core/building/import/finishing.h"
-
 #include "core/building/level_regions.h"
 
 #include <algorithm>
@@ -31,7 +30,9 @@ struct Joined {
     bool ambiguous = false;
 };
 
-bool isLine(const Polyline& line) { return line.size() > 1 && farol::length(line) > 0.05; }
+bool isLine(const Polyline& line) {
+    return line.size() > 1 && farol::length(line) > 0.05;
+}
 
 /// Points at equal distances along the line, with the unit vector to the left there.
 std::vector<std::pair<Point2, Point2>> stations(const Polyline& line) {
@@ -54,7 +55,8 @@ std::vector<std::pair<Point2, Point2>> stations(const Polyline& line) {
 
 class AccessJoiner {
 public:
-    AccessJoiner(BuildingData& data, FindingList& findings) : m_data(data), m_findings(findings), m_index(data.regions) {}
+    AccessJoiner(BuildingData& data, FindingList& findings)
+        : m_data(data), m_findings(findings), m_index(data.regions) {}
 
     void run() {
         for (Access& access : m_data.accesses) {
@@ -65,8 +67,10 @@ public:
                 joined = isLine(access.line) ? besideLine(access, reach) : aroundPoint(access, reach);
                 if (joined) break;
             }
-            if (joined) fill(access, *joined);
-            else tellUnjoined(access);
+            if (joined)
+                fill(access, *joined);
+            else
+                tellUnjoined(access);
         }
     }
 
@@ -77,15 +81,19 @@ private:
     void tellOddOnes(const Access& access) {
         std::size_t touched = 0;
         Polyline spots{access.line.front(), access.midpoint(), access.line.back()};
-        for (std::size_t region : m_index.meeting(access.level, grown(*boundingBox(access.line), kOnBorderM))) {
+        for (std::size_t region :
+             m_index.meeting(access.level, grown(*boundingBox(access.line), kOnBorderM))) {
             const Polygon& polygon = m_data.regions[region].polygon;
-            touched += std::any_of(spots.begin(), spots.end(), [&](Point2 spot) {
-                           return distanceToPolygon(polygon, spot) <= kOnBorderM;
-                       }) ? 1U : 0U;
+            touched +=
+                std::any_of(spots.begin(), spots.end(),
+                            [&](Point2 spot) { return distanceToPolygon(polygon, spot) <= kOnBorderM; })
+                    ? 1U
+                    : 0U;
         }
         if (touched == 2) return;
         m_findings.add(Severity::Note, "access-touches-two-regions",
-                       touched < 2 ? "accesses are drawn on fewer than two regions" : "accesses are drawn on more than two regions",
+                       touched < 2 ? "accesses are drawn on fewer than two regions"
+                                   : "accesses are drawn on more than two regions",
                        "accesses", access.id.value);
     }
 
@@ -138,8 +146,8 @@ private:
         return best;
     }
 
-    /// A line between two regions, along neither border: drawn the way one walks, or a gate between two houses. Which of
-    /// the two it is cannot be known, and a wrong guess leads against a wall.
+    /// A line between two regions, along neither border: drawn the way one walks, or a gate between two
+    /// houses. Which of the two it is cannot be known, and a wrong guess leads against a wall.
     bool endsAtTwo(const Access& access) const {
         Point2 first = access.line.front(), last = access.line.back();
         double size = distance(first, last);
@@ -160,20 +168,23 @@ private:
             double share = 0.0;
             for (int d = 0; d < kDirections; ++d)
                 for (int k = 1; k <= kAcross; ++k) {
-                    Point2 step = Point2{std::cos(2 * kPi * d / kDirections), std::sin(2 * kPi * d / kDirections)} *
-                                  (reach * k / kAcross);
+                    Point2 step =
+                        Point2{std::cos(2 * kPi * d / kDirections), std::sin(2 * kPi * d / kDirections)} *
+                        (reach * k / kAcross);
                     if (!contains(m_data.regions[region].polygon, at + step)) continue;
                     share += 1.0 / (kDirections * kAcross);
                     pulls[region] = pulls[region] + step;
                 }
             if (share > 0.08) shares.emplace_back(share, region);
         }
-        std::stable_sort(shares.begin(), shares.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+        std::stable_sort(shares.begin(), shares.end(),
+                         [](const auto& a, const auto& b) { return a.first > b.first; });
         if (shares.size() < 2 || (!allowed(access, shares[0].second) && !allowed(access, shares[1].second)))
             return std::nullopt;
         Point2 a = pulls[shares[0].second], b = pulls[shares[1].second];
         // Both on one side: the point stands before a wall between them, it does not lead through it.
-        if (length(a) > 0.0 && length(b) > 0.0 && dot(a, b) > 0.5 * length(a) * length(b)) return std::nullopt;
+        if (length(a) > 0.0 && length(b) > 0.0 && dot(a, b) > 0.5 * length(a) * length(b))
+            return std::nullopt;
         bool rival = shares.size() > 2 && shares[2].first > kRivalShare * shares[1].first;
         return Joined{shares[0].second, shares[1].second, rival};
     }
@@ -181,8 +192,10 @@ private:
     void fill(Access& access, const Joined& joined) {
         if (joined.ambiguous && access.regionA.empty() && access.regionB.empty())
             m_findings.add(Severity::Warning, "access-ambiguous",
-                           "accesses lie beside more than two regions; the two with the widest border were taken: see that they "
-                           "are right", "accesses", access.id.value);
+                           "accesses lie beside more than two regions; the two with the widest border were "
+                           "taken: see that they "
+                           "are right",
+                           "accesses", access.id.value);
         const RegionId &left = idOf(joined.left), &right = idOf(joined.right);
         if (access.regionA.empty() && access.regionB.empty()) {
             access.regionA = left;
@@ -197,11 +210,14 @@ private:
     void tellUnjoined(Access& access) {
         if (endsAtTwo(access))
             m_findings.add(Severity::Warning, "access-drawn-across",
-                           "accesses run from one region to another and along no border: if one walks along the line, set region_a "
-                           "and region_b", "accesses", access.id.value);
+                           "accesses run from one region to another and along no border: if one walks along "
+                           "the line, set region_a "
+                           "and region_b",
+                           "accesses", access.id.value);
         // A door to nowhere: the one region it touches is told, so that the curator knows which.
         if (!access.regionA.empty() || !access.regionB.empty()) return;
-        if (auto region = m_index.nearest(access.level, access.midpoint(), kReachesM.front())) access.regionA = idOf(*region);
+        if (auto region = m_index.nearest(access.level, access.midpoint(), kReachesM.front()))
+            access.regionA = idOf(*region);
     }
 
     BuildingData& m_data;
@@ -211,7 +227,9 @@ private:
 
 } // namespace
 
-void joinAccesses(BuildingData& data, FindingList& findings) { AccessJoiner(data, findings).run(); }
+void joinAccesses(BuildingData& data, FindingList& findings) {
+    AccessJoiner(data, findings).run();
+}
 
 void placeLandmarks(BuildingData& data, FindingList& findings) {
     LevelRegions index(data.regions);
@@ -221,8 +239,9 @@ void placeLandmarks(BuildingData& data, FindingList& findings) {
             landmark.region = data.regions[*region].id;
         } else if ((region = index.nearest(landmark.level, landmark.position, 3.0))) {
             landmark.region = data.regions[*region].id;
-            findings.add(Severity::Note, "landmark-placed", "landmarks lie outside every region and were given to the nearest one",
-                         "landmarks", landmark.id.value);
+            findings.add(Severity::Note, "landmark-placed",
+                         "landmarks lie outside every region and were given to the nearest one", "landmarks",
+                         landmark.id.value);
         }
     }
 }

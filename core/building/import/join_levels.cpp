@@ -1,7 +1,6 @@
-#include "core/building/import/finishing.h"
-
 #include "core/base/ogr.h"
 #include "core/base/text.h"
+#include "core/building/import/finishing.h"
 #include "core/building/import/local_plane.h"
 #include "core/building/level_regions.h"
 
@@ -56,8 +55,10 @@ std::pair<double, Point2> sharedArea(const Region& a, const Region& b) {
 
 class LevelJoiner {
 public:
-    LevelJoiner(RawMap& raw, FindingList& findings) : m_raw(raw), m_findings(findings), m_index(raw.data.regions) {
-        for (std::size_t i = 0; i < raw.data.regions.size(); ++i) m_position.emplace(raw.data.regions[i].id.value, i);
+    LevelJoiner(RawMap& raw, FindingList& findings)
+        : m_raw(raw), m_findings(findings), m_index(raw.data.regions) {
+        for (std::size_t i = 0; i < raw.data.regions.size(); ++i)
+            m_position.emplace(raw.data.regions[i].id.value, i);
         for (const Access& access : raw.data.accesses) m_accessIds.insert(access.id.value);
         m_parent.resize(raw.data.regions.size());
         for (std::size_t i = 0; i < m_parent.size(); ++i) m_parent[i] = i;
@@ -84,8 +85,9 @@ private:
     void addLink(const RawMap::VerticalLink& link) {
         auto from = m_position.find(link.from.value), to = m_position.find(link.to.value);
         if (from == m_position.end() || to == m_position.end()) {
-            m_findings.add(Severity::Warning, "level-link-regions", "links between levels name regions that do not exist",
-                           "accesses", link.from.value + " - " + link.to.value);
+            m_findings.add(Severity::Warning, "level-link-regions",
+                           "links between levels name regions that do not exist", "accesses",
+                           link.from.value + " - " + link.to.value);
             return;
         }
         join(from->second, to->second, link);
@@ -152,12 +154,14 @@ private:
         link.kind = kind;
         join(low, *best, link);
         m_findings.add(Severity::Note, "level-link-overlap",
-                       "stairs, lifts or escalators were joined with the ones above them, because their outlines overlap",
+                       "stairs, lifts or escalators were joined with the ones above them, because their "
+                       "outlines overlap",
                        "accesses", m_raw.data.accesses.back().id.value);
         if (kind == AccessKind::Escalator)
-            m_findings.add(Severity::Warning, "escalator-direction",
-                           "escalators have no direction in the source and are taken to run both ways: set oneway", "accesses",
-                           m_raw.data.accesses.back().id.value);
+            m_findings.add(
+                Severity::Warning, "escalator-direction",
+                "escalators have no direction in the source and are taken to run both ways: set oneway",
+                "accesses", m_raw.data.accesses.back().id.value);
         return true;
     }
 
@@ -170,7 +174,8 @@ private:
             if (name.empty() || naturalLess(wish, name)) name = wish;
         }
         for (const auto& [access, region] : m_added)
-            if (m_raw.data.accesses[access].shaft.empty()) m_raw.data.accesses[access].shaft = ShaftId(names[rootOf(region)]);
+            if (m_raw.data.accesses[access].shaft.empty())
+                m_raw.data.accesses[access].shaft = ShaftId(names[rootOf(region)]);
     }
 
     RawMap& m_raw;
@@ -186,28 +191,40 @@ private:
 
 const char* kindWord(RegionKind kind) {
     switch (kind) {
-    case RegionKind::Room: return "Room";
-    case RegionKind::Corridor: return "Corridor";
-    case RegionKind::Hall: return "Hall";
-    case RegionKind::Stairwell: return "Stairs";
-    case RegionKind::Elevator: return "Lift";
-    case RegionKind::Toilet: return "Toilet";
-    case RegionKind::Outside: return "Outside";
-    case RegionKind::Other: break;
+    case RegionKind::Room:
+        return "Room";
+    case RegionKind::Corridor:
+        return "Corridor";
+    case RegionKind::Hall:
+        return "Hall";
+    case RegionKind::Stairwell:
+        return "Stairs";
+    case RegionKind::Elevator:
+        return "Lift";
+    case RegionKind::Toilet:
+        return "Toilet";
+    case RegionKind::Outside:
+        return "Outside";
+    case RegionKind::Other:
+        break;
     }
     return "Area";
 }
 
 } // namespace
 
-void joinLevels(RawMap& raw, bool byOverlap, FindingList& findings) { LevelJoiner(raw, findings).run(byOverlap); }
+void joinLevels(RawMap& raw, bool byOverlap, FindingList& findings) {
+    LevelJoiner(raw, findings).run(byOverlap);
+}
 
 void nameRegions(BuildingData& data, FindingList& findings) {
     std::set<std::string> used;
     std::vector<Region*> unnamed;
     for (Region& region : data.regions) {
-        if (region.name.empty() && region.ref.empty()) unnamed.push_back(&region);
-        else used.insert(formatNumber(region.level) + "|" + foldedForMatching(region.name));
+        if (region.name.empty() && region.ref.empty())
+            unnamed.push_back(&region);
+        else
+            used.insert(formatNumber(region.level) + "|" + foldedForMatching(region.name));
     }
     std::stable_sort(unnamed.begin(), unnamed.end(),
                      [](const Region* a, const Region* b) { return naturalLess(a->id.value, b->id.value); });
@@ -219,7 +236,8 @@ void nameRegions(BuildingData& data, FindingList& findings) {
         while (!used.insert(level + "|" + foldedForMatching(name)).second);
         region->name = name;
         findings.add(Severity::Note, "region-named",
-                     "regions had no name and were given one from kind and number, such as \"Corridor 3\": rename them",
+                     "regions had no name and were given one from kind and number, such as \"Corridor 3\": "
+                     "rename them",
                      "regions", region->id.value);
     }
 }

@@ -12,8 +12,12 @@ namespace {
 
 constexpr double kHighestLevel = 10000.0;
 
-bool isDigit(char c) { return c >= '0' && c <= '9'; }
-bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
+bool isDigit(char c) {
+    return c >= '0' && c <= '9';
+}
+bool isBlank(char c) {
+    return c == ' ' || c == '\t' || c == '\n' || c == '\r';
+}
 
 /// One dash and no blanks, so that the rest reads single characters.
 std::string plainDashes(std::string_view text) {
@@ -35,8 +39,10 @@ std::string plainDashes(std::string_view text) {
 std::string withoutBlanksBefore(std::string_view part) {
     std::string text(part);
     for (std::size_t at = text.find(' '); at != std::string::npos; at = text.find(' ', at))
-        if (at + 1 == text.size() || !isDigit(text[at + 1])) text.erase(at, 1);
-        else ++at;
+        if (at + 1 == text.size() || !isDigit(text[at + 1]))
+            text.erase(at, 1);
+        else
+            ++at;
     return text;
 }
 
@@ -46,8 +52,10 @@ public:
 
     std::optional<double> number() {
         std::size_t start = m_at;
-        if (m_at < m_text.size() && m_text[m_at] == '+') start = ++m_at;
-        else if (m_at < m_text.size() && m_text[m_at] == '-') ++m_at;
+        if (m_at < m_text.size() && m_text[m_at] == '+')
+            start = ++m_at;
+        else if (m_at < m_text.size() && m_text[m_at] == '-')
+            ++m_at;
         std::size_t digits = m_at;
         while (m_at < m_text.size() && (isDigit(m_text[m_at]) || m_text[m_at] == '.')) ++m_at;
         if (m_at == digits) return std::nullopt;
@@ -91,12 +99,14 @@ bool appendCommaPart(std::string part, std::vector<double>& levels) {
         return at > 0 && at + 1 < part.size() && isDigit(part[at - 1]) && isDigit(part[at + 1]);
     };
     for (std::size_t at = 0; at < part.size(); ++at) decimals += part[at] == ',' && isDecimal(at) ? 1U : 0U;
-    if (std::size_t at = part.find(','); decimals == 1 && std::count(part.begin(), part.end(), ',') == 1) part[at] = '.';
+    if (std::size_t at = part.find(','); decimals == 1 && std::count(part.begin(), part.end(), ',') == 1)
+        part[at] = '.';
     bool understood = true;
     for (std::size_t start = 0; start <= part.size();) {
         std::size_t end = std::min(part.find(',', start), part.size());
         std::string_view whole = std::string_view(part).substr(start, end - start);
-        std::string piece = withoutBlanksBefore(whole.substr(std::min(whole.find_first_not_of(' '), whole.size())));
+        std::string piece =
+            withoutBlanksBefore(whole.substr(std::min(whole.find_first_not_of(' '), whole.size())));
         if (levels.size() > kMaxLevelsPerValue) return false;
         if (!piece.empty()) understood = appendPart(piece, levels) && understood;
         start = end + 1;
@@ -111,7 +121,8 @@ ParsedLevels parseLevels(std::string_view text) {
     std::string plain = plainDashes(text);
     for (std::size_t start = 0; start <= plain.size();) {
         std::size_t end = std::min(plain.find(';', start), plain.size());
-        parsed.understood = appendCommaPart(plain.substr(start, end - start), parsed.levels) && parsed.understood;
+        parsed.understood =
+            appendCommaPart(plain.substr(start, end - start), parsed.levels) && parsed.understood;
         if (parsed.levels.size() > kMaxLevelsPerValue) return {{}, false};
         start = end + 1;
     }

@@ -1,7 +1,6 @@
+#include "core/base/text.h"
 #include "core/building/import/importer.h"
 #include "core/building/import/zip_directory.h"
-
-#include "core/base/text.h"
 
 #include <cpl_vsi.h>
 
@@ -47,19 +46,26 @@ Result<void> listZip(SourceListing& listing) {
     auto entries = readZipDirectory(listing.path);
     if (!entries) return entries.error();
     if (entries->size() > kMostMembers)
-        return Error{ErrorCode::UnsupportedFormat, "the zip holds more than 10000 files: no map of a building does", listing.path};
+        return Error{ErrorCode::UnsupportedFormat,
+                     "the zip holds more than 10000 files: no map of a building does", listing.path};
     std::uint64_t total = 0;
     for (const ZipEntry& entry : *entries) {
         std::string context = listing.path + ", " + entry.name;
         if (leavesFolder(entry.name))
-            return Error{ErrorCode::Corrupt, "a file in the zip has a name that leads out of it; the zip is not trusted", context};
+            return Error{ErrorCode::Corrupt,
+                         "a file in the zip has a name that leads out of it; the zip is not trusted",
+                         context};
         if (entry.encrypted)
-            return Error{ErrorCode::UnsupportedFormat, "the zip is locked by a password; unpack it first", context};
-        bool bomb = entry.size > kRatioFrom && entry.size / std::max<std::uint64_t>(entry.packed, 1) > kHighestRatio;
+            return Error{ErrorCode::UnsupportedFormat, "the zip is locked by a password; unpack it first",
+                         context};
+        bool bomb =
+            entry.size > kRatioFrom && entry.size / std::max<std::uint64_t>(entry.packed, 1) > kHighestRatio;
         total += entry.size;
         if (bomb || entry.size > kLargestMember || total > kLargestTotal)
             return Error{ErrorCode::UnsupportedFormat,
-                         "unpacks to " + std::to_string(total >> 20U) + " MB: too much for a map of a building", context};
+                         "unpacks to " + std::to_string(total >> 20U) +
+                             " MB: too much for a map of a building",
+                         context};
         if (isLitter(entry.name)) continue;
         // Braces: the file need not be called .zip for GDAL to look inside.
         listing.members.push_back({entry.name, "/vsizip/{" + listing.path + "}/" + entry.name, entry.size});
@@ -94,7 +100,8 @@ Result<SourceListing> listSource(const std::string& path) {
     if (path.empty() || (path.rfind("/vsi", 0) == 0 && path.rfind("/vsimem/", 0) != 0))
         return Error{ErrorCode::InvalidArgument, "is no file or folder", path};
     VSIStatBufL state;
-    if (VSIStatL(path.c_str(), &state) != 0) return Error{ErrorCode::NotFound, "there is no such file or folder", path};
+    if (VSIStatL(path.c_str(), &state) != 0)
+        return Error{ErrorCode::NotFound, "there is no such file or folder", path};
     std::error_code failure;
     Result<void> listed;
     if (path.rfind("/vsimem/", 0) != 0 && fs::is_directory(path, failure)) {
@@ -104,12 +111,14 @@ Result<SourceListing> listSource(const std::string& path) {
         listing.zip = true;
         listed = listZip(listing);
     } else {
-        listing.members.push_back({path.substr(path.rfind('/') + 1), path, static_cast<std::uint64_t>(state.st_size)});
+        listing.members.push_back(
+            {path.substr(path.rfind('/') + 1), path, static_cast<std::uint64_t>(state.st_size)});
     }
     if (!listed) return listed.error();
     if (listing.members.empty()) return Error{ErrorCode::NotFound, "holds no files", path};
-    std::stable_sort(listing.members.begin(), listing.members.end(),
-                     [](const SourceMember& a, const SourceMember& b) { return naturalLess(a.name, b.name); });
+    std::stable_sort(
+        listing.members.begin(), listing.members.end(),
+        [](const SourceMember& a, const SourceMember& b) { return naturalLess(a.name, b.name); });
     return listing;
 }
 

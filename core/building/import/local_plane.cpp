@@ -54,7 +54,9 @@ void LocalPlane::toDegrees(BuildingData& data) const {
     for (Landmark& landmark : data.landmarks) landmark.position = toDegrees(landmark.position);
 }
 
-void GeometryDeleter::operator()(OGRGeometry* geometry) const { OGRGeometryFactory::destroyGeometry(geometry); }
+void GeometryDeleter::operator()(OGRGeometry* geometry) const {
+    OGRGeometryFactory::destroyGeometry(geometry);
+}
 
 GeometryPtr ogrPolygon(const Polygon& polygon) {
     if (polygon.outer.size() < 3) return nullptr;
@@ -80,7 +82,8 @@ GeometryPtr unionOf(const std::vector<GeometryPtr>& parts) {
     for (const GeometryPtr& part : parts)
         for (const Polygon& polygon : polygonsOf(part.get(), 0.0)) {
             GeometryPtr one = ogrPolygon(polygon);
-            if (one != nullptr && wkbFlatten(one->getGeometryType()) == wkbPolygon) all.addGeometry(one.get());
+            if (one != nullptr && wkbFlatten(one->getGeometryType()) == wkbPolygon)
+                all.addGeometry(one.get());
         }
     return all.IsEmpty() ? nullptr : GeometryPtr(all.UnionCascaded());
 }
@@ -93,7 +96,8 @@ std::vector<Polygon> polygonsOf(const OGRGeometry* geometry, double leastArea) {
         const OGRPolygon& source = *geometry->toPolygon();
         if (source.IsEmpty() == FALSE && source.get_Area() >= leastArea) {
             Polygon polygon{ringOf(*source.getExteriorRing()), {}};
-            for (int i = 0; i < source.getNumInteriorRings(); ++i) polygon.holes.push_back(ringOf(*source.getInteriorRing(i)));
+            for (int i = 0; i < source.getNumInteriorRings(); ++i)
+                polygon.holes.push_back(ringOf(*source.getInteriorRing(i)));
             polygons.push_back(std::move(polygon));
         }
     } else if (type == wkbMultiPolygon || type == wkbGeometryCollection) {

@@ -1,6 +1,6 @@
 #pragma once
-// Metres around a place, for importers that must measure while they still read degrees; and GEOS, through OGR, on
-// plain polygons.
+// Metres around a place, for importers that must measure while they still read degrees; and GEOS, through
+// OGR, on plain polygons.
 
 #include "core/base/geometry.h"
 #include "core/building/building.h"

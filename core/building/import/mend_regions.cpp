@@ -1,6 +1,5 @@
-#include "core/building/import/finishing.h"
-
 #include "core/base/ogr.h"
+#include "core/building/import/finishing.h"
 #include "core/building/import/local_plane.h"
 
 #include <ogrsf_frmts.h>
@@ -39,8 +38,8 @@ public:
         for (Region& region : source) mendOne(std::move(region));
         dropRepeats();
         if (m_raw.data.regions.empty())
-            return Error{ErrorCode::Corrupt, "there are no rooms, corridors or other areas in it: nothing to walk through",
-                         ""};
+            return Error{ErrorCode::Corrupt,
+                         "there are no rooms, corridors or other areas in it: nothing to walk through", ""};
         for (Access& access : m_raw.data.accesses) {
             follow(access.regionA);
             follow(access.regionB);
@@ -74,15 +73,18 @@ private:
         }
         std::erase_if(region.polygon.holes, [](const Ring& hole) { return hole.size() < 3; });
         if (notFinite)
-            tell(Severity::Warning, "coordinates-finite", "outlines have corners that are no places; these were left out",
-                 region.id.value);
+            tell(Severity::Warning, "coordinates-finite",
+                 "outlines have corners that are no places; these were left out", region.id.value);
         if (region.polygon.outer.size() < 3)
-            return drop(region, "region-polygon-valid", "outlines have fewer than three corners; the regions were left out");
+            return drop(region, "region-polygon-valid",
+                        "outlines have fewer than three corners; the regions were left out");
         if (corners > kMostCorners)
-            return drop(region, "region-polygon-valid", "outlines have more than 200,000 corners; the regions were left out");
+            return drop(region, "region-polygon-valid",
+                        "outlines have more than 200,000 corners; the regions were left out");
         std::vector<Polygon> parts = validParts(region);
         if (parts.empty())
-            return drop(region, "region-polygon-valid", "outlines enclose no area; the regions were left out");
+            return drop(region, "region-polygon-valid",
+                        "outlines enclose no area; the regions were left out");
         addParts(std::move(region), std::move(parts));
     }
 
@@ -90,20 +92,25 @@ private:
         GdalMessages messages;
         GeometryPtr geometry = ogrPolygon(region.polygon);
         std::vector<Polygon> parts = polygonsOf(geometry.get(), kLeastPartM2);
-        if (!messages.text().empty() || parts.size() != 1 || parts.front().outer.size() != region.polygon.outer.size() ||
-            std::abs(area(parts.front()) - area(region.polygon)) > 1e-6 * std::max(1.0, area(region.polygon))) {
+        if (!messages.text().empty() || parts.size() != 1 ||
+            parts.front().outer.size() != region.polygon.outer.size() ||
+            std::abs(area(parts.front()) - area(region.polygon)) >
+                1e-6 * std::max(1.0, area(region.polygon))) {
             if (!parts.empty())
                 tell(Severity::Warning, "region-polygon-valid",
-                     "outlines crossed or touched themselves and were mended: compare them with the plan", region.id.value);
+                     "outlines crossed or touched themselves and were mended: compare them with the plan",
+                     region.id.value);
         }
         return parts;
     }
 
     void addParts(Region region, std::vector<Polygon> parts) {
-        std::stable_sort(parts.begin(), parts.end(), [](const Polygon& a, const Polygon& b) { return area(a) > area(b); });
+        std::stable_sort(parts.begin(), parts.end(),
+                         [](const Polygon& a, const Polygon& b) { return area(a) > area(b); });
         std::string id = region.id.value;
         if (parts.size() > 1)
-            tell(Severity::Warning, "region-split", "regions fell into several parts: each part is a region of its own", id);
+            tell(Severity::Warning, "region-split",
+                 "regions fell into several parts: each part is a region of its own", id);
         for (std::size_t i = 0; i < parts.size(); ++i) {
             Region part = region;
             part.polygon = std::move(parts[i]);
@@ -120,18 +127,23 @@ private:
         std::vector<Region> kept;
         for (Region& region : m_raw.data.regions) {
             Box2 box = *boundingBox(region.polygon.outer);
-            auto centimetres = [](double metres) { return std::llround(std::clamp(metres, -1e12, 1e12) * 100.0); };
-            std::array<long long, 6> key{centimetres(region.level * 10.0), centimetres(box.low.x), centimetres(box.low.y),
-                                         centimetres(box.high.x), centimetres(box.high.y), centimetres(area(region.polygon))};
+            auto centimetres = [](double metres) {
+                return std::llround(std::clamp(metres, -1e12, 1e12) * 100.0);
+            };
+            std::array<long long, 6> key{centimetres(region.level * 10.0), centimetres(box.low.x),
+                                         centimetres(box.low.y),           centimetres(box.high.x),
+                                         centimetres(box.high.y),          centimetres(area(region.polygon))};
             auto [place, fresh] = seen.emplace(key, kept.size());
             Region* first = fresh ? nullptr : &kept[place->second];
-            bool differ = first != nullptr && !first->name.empty() && !region.name.empty() && first->name != region.name;
+            bool differ = first != nullptr && !first->name.empty() && !region.name.empty() &&
+                          first->name != region.name;
             if (first != nullptr && !differ) {
                 if (first->name.empty()) first->name = region.name;
                 if (first->ref.empty()) first->ref = region.ref;
                 first->restricted = first->restricted || region.restricted;
                 tell(Severity::Warning, "region-duplicate",
-                     "regions repeat the outline of another one on their level and were merged with it", region.id.value);
+                     "regions repeat the outline of another one on their level and were merged with it",
+                     region.id.value);
                 m_ids[region.id.value] = first->id.value;
                 continue;
             }
@@ -151,13 +163,16 @@ private:
         for (const Region& region : m_raw.data.regions) regions.emplace(region.id.value, &region);
         std::erase_if(m_raw.data.accesses, [&](Access& access) {
             if (clean(access.line, false))
-                m_findings.add(Severity::Warning, "coordinates-finite", "accesses have points that are no places; these were left out",
-                               "accesses", access.id.value);
+                m_findings.add(Severity::Warning, "coordinates-finite",
+                               "accesses have points that are no places; these were left out", "accesses",
+                               access.id.value);
             auto side = regions.find(access.regionA.value);
             if (side == regions.end()) side = regions.find(access.regionB.value);
-            if (access.line.empty() && side != regions.end()) access.line = {pointInside(side->second->polygon)};
+            if (access.line.empty() && side != regions.end())
+                access.line = {pointInside(side->second->polygon)};
             if (!access.line.empty()) return false;
-            m_findings.add(Severity::Warning, "access-geometry", "accesses have no place on the map and were left out", "accesses",
+            m_findings.add(Severity::Warning, "access-geometry",
+                           "accesses have no place on the map and were left out", "accesses",
                            access.id.value);
             return true;
         });
@@ -170,8 +185,9 @@ private:
     void mendLandmarks() {
         std::erase_if(m_raw.data.landmarks, [&](const Landmark& landmark) {
             if (isFinite(landmark.position)) return false;
-            m_findings.add(Severity::Warning, "coordinates-finite", "landmarks have no place on the map and were left out",
-                           "landmarks", landmark.id.value);
+            m_findings.add(Severity::Warning, "coordinates-finite",
+                           "landmarks have no place on the map and were left out", "landmarks",
+                           landmark.id.value);
             return true;
         });
     }
@@ -183,6 +199,8 @@ private:
 
 } // namespace
 
-Result<void> mendRegions(RawMap& raw, FindingList& findings) { return RegionMender(raw, findings).run(); }
+Result<void> mendRegions(RawMap& raw, FindingList& findings) {
+    return RegionMender(raw, findings).run();
+}
 
 } // namespace farol::building

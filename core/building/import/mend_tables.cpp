@@ -1,6 +1,5 @@
-#include "core/building/import/finishing.h"
-
 #include "core/base/text.h"
+#include "core/building/import/finishing.h"
 #include "core/building/layer_schema.h"
 
 #include <cpl_string.h>
@@ -45,7 +44,8 @@ void giveIds(Items& items, const std::string& layer, const std::string& word, Fi
         taken.insert(fresh);
         item.id.value = fresh;
         findings.add(Severity::Warning, word + "-id-unique",
-                     old.empty() ? "features had no id and were given one" : "features shared an id and were given another",
+                     old.empty() ? "features had no id and were given one"
+                                 : "features shared an id and were given another",
                      layer, fresh);
     }
 }
@@ -76,9 +76,11 @@ public:
             if (++count > kMostColumns) break; // no name: into the rest
             std::string clean = name.empty() ? "attribute" : name;
             makeUtf8(clean);
-            if (m_spec.knows(clean) || EQUAL(clean.c_str(), "fid") || EQUAL(clean.c_str(), "geom")) clean = "source_" + clean;
+            if (m_spec.knows(clean) || EQUAL(clean.c_str(), "fid") || EQUAL(clean.c_str(), "geom"))
+                clean = "source_" + clean;
             std::string base = clean;
-            for (int i = 2; !used.insert(foldedForMatching(clean)).second; ++i) clean = base + "_" + std::to_string(i);
+            for (int i = 2; !used.insert(foldedForMatching(clean)).second; ++i)
+                clean = base + "_" + std::to_string(i);
             m_columns[name].name = clean;
         }
     }
@@ -136,7 +138,8 @@ Result<void> mendLevels(BuildingData& data, FindingList& findings) {
     std::set<double> known, used;
     auto judge = [&](double& level, const std::string& layer, const std::string& id) {
         if (!std::isfinite(level) || std::abs(level) > kFurthestLevel) {
-            findings.add(Severity::Warning, "level-number", "levels are no floors of a building; level 0 is assumed", layer, id);
+            findings.add(Severity::Warning, "level-number",
+                         "levels are no floors of a building; level 0 is assumed", layer, id);
             level = 0.0;
         }
         level = std::round(level * 1000.0) / 1000.0;
@@ -151,9 +154,12 @@ Result<void> mendLevels(BuildingData& data, FindingList& findings) {
         judge(level.ordinal, "levels", level.ref.empty() ? level.name : level.ref);
         makeUtf8(level.name);
         makeUtf8(level.ref);
-        if (known.insert(level.ordinal).second) levels.push_back(std::move(level));
-        else findings.add(Severity::Note, "level-twice", "levels stand twice in the source; the first name is kept", "levels",
-                          formatNumber(level.ordinal));
+        if (known.insert(level.ordinal).second)
+            levels.push_back(std::move(level));
+        else
+            findings.add(Severity::Note, "level-twice",
+                         "levels stand twice in the source; the first name is kept", "levels",
+                         formatNumber(level.ordinal));
     }
     for (double ordinal : used) {
         if (known.count(ordinal) != 0) continue;
@@ -165,7 +171,8 @@ Result<void> mendLevels(BuildingData& data, FindingList& findings) {
     if (levels.size() > kMostLevels)
         return Error{ErrorCode::Corrupt,
                      "has " + std::to_string(levels.size()) +
-                         " levels: no building has; the level stands in another attribute (--level-from)", ""};
+                         " levels: no building has; the level stands in another attribute (--level-from)",
+                     ""};
     data.levels = std::move(levels);
     return {};
 }

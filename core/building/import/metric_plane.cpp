@@ -1,7 +1,6 @@
-#include "core/building/import/finishing.h"
-
 #include "core/base/ogr.h"
 #include "core/base/text.h"
+#include "core/building/import/finishing.h"
 
 #include <ogr_spatialref.h>
 
@@ -48,8 +47,12 @@ std::optional<Box2> extentOf(const Points& points) {
     return box;
 }
 
-Point2 middle(const Box2& box) { return (box.low + box.high) * 0.5; }
-Point2 swapped(Point2 p) { return {p.y, p.x}; }
+Point2 middle(const Box2& box) {
+    return (box.low + box.high) * 0.5;
+}
+Point2 swapped(Point2 p) {
+    return {p.y, p.x};
+}
 bool onEarth(const Box2& box) {
     return box.low.x >= -180.0 && box.high.x <= 180.0 && box.low.y >= -90.0 && box.high.y <= 90.0;
 }
@@ -69,7 +72,8 @@ using Transform = std::unique_ptr<OGRCoordinateTransformation>;
 
 std::optional<Point2> transformed(OGRCoordinateTransformation& transform, Point2 point) {
     int good = FALSE;
-    if (transform.Transform(1, &point.x, &point.y, nullptr, &good) == FALSE && good == FALSE) return std::nullopt;
+    if (transform.Transform(1, &point.x, &point.y, nullptr, &good) == FALSE && good == FALSE)
+        return std::nullopt;
     return good != FALSE && isFinite(point) ? std::optional(point) : std::nullopt;
 }
 
@@ -112,16 +116,19 @@ private:
         if (!crs.empty()) {
             OGRSpatialReference reference;
             GdalMessages quiet;
-            if (reference.SetFromUserInput(crs.c_str(), OGRSpatialReference::SET_FROM_USER_INPUT_LIMITATIONS_get()) !=
-                OGRERR_NONE)
-                note(Severity::Warning, "crs-unknown", "the coordinate reference system of the source cannot be understood");
-            else if (reference.IsLocal() == FALSE) m_reference = reference;
+            if (reference.SetFromUserInput(
+                    crs.c_str(), OGRSpatialReference::SET_FROM_USER_INPUT_LIMITATIONS_get()) != OGRERR_NONE)
+                note(Severity::Warning, "crs-unknown",
+                     "the coordinate reference system of the source cannot be understood");
+            else if (reference.IsLocal() == FALSE)
+                m_reference = reference;
         } else if (m_raw.coordinates == RawCoordinates::Geographic) {
             m_reference = wgs84();
         }
         if (m_reference) m_reference->SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
         if (m_reference && m_reference->IsGeocentric() != FALSE)
-            return Error{ErrorCode::UnsupportedFormat, "geocentric coordinates are no plan of a floor; project them", ""};
+            return Error{ErrorCode::UnsupportedFormat,
+                         "geocentric coordinates are no plan of a floor; project them", ""};
         return {};
     }
 
@@ -129,25 +136,32 @@ private:
     void judgeUnits() {
         bool geographic = m_reference && m_reference->IsGeographic() != FALSE;
         Box2 turned{swapped(m_box.low), swapped(m_box.high)};
-        if (!geographic && m_raw.coordinates != RawCoordinates::Metric && (looksLikeDegrees(m_box) || looksLikeDegrees(turned))) {
+        if (!geographic && m_raw.coordinates != RawCoordinates::Metric &&
+            (looksLikeDegrees(m_box) || looksLikeDegrees(turned))) {
             note(Severity::Warning, m_reference ? "crs-degrees-for-metres" : "crs-missing",
-                 m_reference ? "the source names a CRS in metres, but its coordinates are degrees: they are taken as WGS 84"
-                             : "the source names no CRS; its coordinates look like degrees and are taken as WGS 84");
+                 m_reference
+                     ? "the source names a CRS in metres, but its coordinates are degrees: they are taken as "
+                       "WGS 84"
+                     : "the source names no CRS; its coordinates look like degrees and are taken as WGS 84");
             m_reference = wgs84();
         } else if (geographic && !onEarth(m_box) && !onEarth(turned)) {
             note(Severity::Warning, "crs-metres-for-degrees",
-                 "the source names a CRS in degrees, but its coordinates are not: they are taken as metres of a local plane");
+                 "the source names a CRS in degrees, but its coordinates are not: they are taken as metres "
+                 "of a local plane");
             m_reference.reset();
         } else if (!m_reference && m_raw.coordinates != RawCoordinates::Metric) {
             note(Severity::Warning, "crs-missing",
-                 "the source names no CRS: its coordinates are taken as metres of a local plane; name the CRS if there is one");
+                 "the source names no CRS: its coordinates are taken as metres of a local plane; name the "
+                 "CRS if there is one");
         }
     }
 
     Result<void> stayLocal() {
         m_raw.data.crs.clear();
-        if (std::max({std::abs(m_box.low.x), std::abs(m_box.low.y), std::abs(m_box.high.x), std::abs(m_box.high.y)}) > 1e8)
-            return Error{ErrorCode::Corrupt, "coordinates are beyond 100,000 km: they are no metres of a building", ""};
+        if (std::max({std::abs(m_box.low.x), std::abs(m_box.low.y), std::abs(m_box.high.x),
+                      std::abs(m_box.high.y)}) > 1e8)
+            return Error{ErrorCode::Corrupt,
+                         "coordinates are beyond 100,000 km: they are no metres of a building", ""};
         return {};
     }
 
@@ -158,13 +172,15 @@ private:
         }
         double west = 0, south = 0, east = 0, north = 0;
         GdalMessages quiet;
-        if (m_reference->GetAreaOfUse(&west, &south, &east, &north, nullptr) == FALSE || west > east) return false;
+        if (m_reference->GetAreaOfUse(&west, &south, &east, &north, nullptr) == FALSE || west > east)
+            return false;
         OGRSpatialReference degrees = wgs84();
         Transform transform(OGRCreateCoordinateTransformation(&*m_reference, &degrees));
         if (transform == nullptr) return false;
         auto within = [&](Point2 point) {
             auto place = transformed(*transform, point);
-            return place && place->x >= west - 1 && place->x <= east + 1 && place->y >= south - 1 && place->y <= north + 1;
+            return place && place->x >= west - 1 && place->x <= east + 1 && place->y >= south - 1 &&
+                   place->y <= north + 1;
         };
         return !within(middle(m_box)) && within(swapped(middle(m_box)));
     }
@@ -172,7 +188,8 @@ private:
     void unflip() {
         if (!isFlipped()) return;
         note(Severity::Warning, "axes-flipped",
-             "north and east stand in each other's place in the source: they were exchanged; export it again to be sure");
+             "north and east stand in each other's place in the source: they were exchanged; export it again "
+             "to be sure");
         for (Point2* point : m_points) *point = swapped(*point);
         m_box = {swapped(m_box.low), swapped(m_box.high)};
     }
@@ -212,26 +229,30 @@ private:
         OGRSpatialReference degrees = wgs84(), metric;
         Transform toDegrees(OGRCreateCoordinateTransformation(&*m_reference, &degrees));
         auto place = toDegrees == nullptr ? std::nullopt : transformed(*toDegrees, middle(m_box));
-        if (!place) return messages.error(ErrorCode::Corrupt, "the coordinates do not lie where their CRS is defined", "");
+        if (!place)
+            return messages.error(ErrorCode::Corrupt, "the coordinates do not lie where their CRS is defined",
+                                  "");
         metric.importFromEPSG(utmCode(*place));
         metric.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
         Transform transform(OGRCreateCoordinateTransformation(&*m_reference, &metric));
-        if (transform == nullptr) return messages.error(ErrorCode::Corrupt, "the CRS cannot be brought to metres", "");
+        if (transform == nullptr)
+            return messages.error(ErrorCode::Corrupt, "the CRS cannot be brought to metres", "");
         std::vector<double> x, y;
         for (const Point2* point : m_points) {
             x.push_back(point->x);
             y.push_back(point->y);
         }
         std::vector<int> good(x.size(), FALSE);
-        if (!x.empty()) transform->Transform(static_cast<int>(x.size()), x.data(), y.data(), nullptr, good.data());
+        if (!x.empty())
+            transform->Transform(static_cast<int>(x.size()), x.data(), y.data(), nullptr, good.data());
         for (std::size_t i = 0; i < x.size(); ++i) {
             double none = std::numeric_limits<double>::quiet_NaN(); // mended or dropped with its feature
             *m_points[i] = good[i] != FALSE ? Point2{x[i], y[i]} : Point2{none, none};
         }
         const char* name = m_reference->GetName();
         note(Severity::Note, "crs-projected",
-             std::string("coordinates were brought from ") + (name == nullptr ? "the source's CRS" : name) + " to " +
-                 metric.GetName() + ", in metres");
+             std::string("coordinates were brought from ") + (name == nullptr ? "the source's CRS" : name) +
+                 " to " + metric.GetName() + ", in metres");
         m_raw.data.crs = wktOf(metric);
         return {};
     }
@@ -245,6 +266,8 @@ private:
 
 } // namespace
 
-Result<void> toMetricPlane(RawMap& raw, FindingList& findings) { return MetricPlane(raw, findings).run(); }
+Result<void> toMetricPlane(RawMap& raw, FindingList& findings) {
+    return MetricPlane(raw, findings).run();
+}
 
 } // namespace farol::building

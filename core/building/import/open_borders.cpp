@@ -1,5 +1,4 @@
 #include "core/building/import/finishing.h"
-
 #include "core/building/level_regions.h"
 
 #include <algorithm>
@@ -44,7 +43,8 @@ std::optional<Stretch> alongside(const Segment& edge, const Segment& other) {
     double size = distance(edge.a, edge.b);
     Point2 along = (edge.b - edge.a) * (1.0 / size), way = other.b - other.a;
     if (std::abs(cross(along, way)) > std::max(kParallelSine * length(way), 1e-9)) return std::nullopt;
-    if (std::abs(cross(along, other.a - edge.a)) > kSameBorderM || std::abs(cross(along, other.b - edge.a)) > kSameBorderM)
+    if (std::abs(cross(along, other.a - edge.a)) > kSameBorderM ||
+        std::abs(cross(along, other.b - edge.a)) > kSameBorderM)
         return std::nullopt;
     double first = dot(along, other.a - edge.a), last = dot(along, other.b - edge.a);
     Stretch stretch{std::max(0.0, std::min(first, last)), std::min(size, std::max(first, last))};
@@ -68,7 +68,8 @@ std::vector<Stretch> without(const std::vector<Stretch>& open, Stretch wall) {
 
 class BorderOpener {
 public:
-    BorderOpener(BuildingData& data, FindingList& findings) : m_data(data), m_findings(findings), m_index(data.regions) {
+    BorderOpener(BuildingData& data, FindingList& findings)
+        : m_data(data), m_findings(findings), m_index(data.regions) {
         for (const Access& access : data.accesses) {
             m_joined.insert(pairOf(access.regionA.value, access.regionB.value));
             m_ids.insert(access.id.value);
@@ -110,12 +111,14 @@ private:
                 auto shared = alongside(border, edges[at]);
                 if (!shared) continue;
                 for (Stretch stretch : unwalled(one.level, border, *shared))
-                    if (stretch.to - stretch.from >= kNarrowestM) addOpening(one, other, border, stretch, ++number);
+                    if (stretch.to - stretch.from >= kNarrowestM)
+                        addOpening(one, other, border, stretch, ++number);
             }
         }
-        if (number > 0) m_findings.add(Severity::Note, "border-open",
-                                       "openings were added where regions meet without a wall between them", "regions",
-                                       one.id.value + " - " + other.id.value);
+        if (number > 0)
+            m_findings.add(Severity::Note, "border-open",
+                           "openings were added where regions meet without a wall between them", "regions",
+                           one.id.value + " - " + other.id.value);
     }
 
     std::vector<Stretch> unwalled(double level, const Segment& border, Stretch shared) const {
@@ -127,11 +130,13 @@ private:
         return open;
     }
 
-    void addOpening(const Region& a, const Region& b, const Segment& border, Stretch stretch, std::size_t number) {
+    void addOpening(const Region& a, const Region& b, const Segment& border, Stretch stretch,
+                    std::size_t number) {
         double size = distance(border.a, border.b);
         Point2 along = (border.b - border.a) * (1.0 / size);
         Access access;
-        std::string id = "open:" + a.id.value + "-" + b.id.value + (number > 1 ? "#" + std::to_string(number) : "");
+        std::string id =
+            "open:" + a.id.value + "-" + b.id.value + (number > 1 ? "#" + std::to_string(number) : "");
         while (!m_ids.insert(id).second) id += "'";
         access.id = AccessId(id);
         access.kind = AccessKind::Opening;
@@ -154,6 +159,8 @@ private:
 
 } // namespace
 
-void openSharedBorders(BuildingData& data, FindingList& findings) { BorderOpener(data, findings).run(); }
+void openSharedBorders(BuildingData& data, FindingList& findings) {
+    BorderOpener(data, findings).run();
+}
 
 } // namespace farol::building

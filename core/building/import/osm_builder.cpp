@@ -37,7 +37,9 @@ Ring square(Point2 at, double side) {
 } // namespace
 
 OsmBuilder::OsmBuilder(std::vector<TaggedFeature> features, const ImportOptions& options, std::string context)
-    : m_features(std::move(features)), m_language(options.language), m_context(std::move(context)),
+    : m_features(std::move(features)),
+      m_language(options.language),
+      m_context(std::move(context)),
       m_plane(centreOf(m_features)) {}
 
 OsmBuilder::NodeKey OsmBuilder::keyOf(Point2 degrees) {
@@ -45,7 +47,10 @@ OsmBuilder::NodeKey OsmBuilder::keyOf(Point2 degrees) {
 }
 
 Error OsmBuilder::tooMuch() const {
-    return {ErrorCode::Corrupt, "makes more than 20,000 regions on its levels, or its ways cross too many of them: cut the building out of it", m_context};
+    return {ErrorCode::Corrupt,
+            "makes more than 20,000 regions on its levels, or its ways cross too many of them: cut the "
+            "building out of it",
+            m_context};
 }
 
 Result<RawMap> OsmBuilder::build() {
@@ -58,7 +63,8 @@ Result<RawMap> OsmBuilder::build() {
     if (m_tooMuch) return tooMuch();
     if (m_map.data.regions.empty())
         return Error{ErrorCode::UnsupportedFormat,
-                     "holds no indoor areas: rooms, corridors and areas must be tagged indoor=* with a level", m_context};
+                     "holds no indoor areas: rooms, corridors and areas must be tagged indoor=* with a level",
+                     m_context};
     addDoors();
     addRoomOpenings();
     if (m_tooMuch) return tooMuch();
@@ -73,7 +79,8 @@ Result<RawMap> OsmBuilder::build() {
     return std::move(m_map);
 }
 
-void OsmBuilder::note(Severity severity, const std::string& rule, const std::string& message, const std::string& id) {
+void OsmBuilder::note(Severity severity, const std::string& rule, const std::string& message,
+                      const std::string& id) {
     Finding& finding = m_notes[rule];
     if (finding.rule.empty()) finding = {severity, rule, message, m_context, {}};
     if (finding.ids.empty() || finding.ids.back() != id) finding.ids.push_back(id);
@@ -84,7 +91,8 @@ std::vector<double> OsmBuilder::levelsOf(const TaggedFeature& feature) {
     ParsedLevels repeated = parseLevels(feature.tag("repeat_on"));
     if (!levels.understood || !repeated.understood)
         note(Severity::Warning, "osm-level-unreadable",
-             "the value of level or repeat_on is no list of levels such as -1;0 or 1-3: correct it", feature.id);
+             "the value of level or repeat_on is no list of levels such as -1;0 or 1-3: correct it",
+             feature.id);
     levels.levels.insert(levels.levels.end(), repeated.levels.begin(), repeated.levels.end());
     std::sort(levels.levels.begin(), levels.levels.end());
     levels.levels.erase(std::unique(levels.levels.begin(), levels.levels.end()), levels.levels.end());
@@ -94,7 +102,8 @@ std::vector<double> OsmBuilder::levelsOf(const TaggedFeature& feature) {
 std::vector<double> OsmBuilder::levelsOrGround(const TaggedFeature& feature) {
     std::vector<double> levels = levelsOf(feature);
     if (!levels.empty()) return levels;
-    note(Severity::Warning, "osm-level-missing", "there is no readable level; level 0 is assumed: add the level", feature.id);
+    note(Severity::Warning, "osm-level-missing",
+         "there is no readable level; level 0 is assumed: add the level", feature.id);
     return {0.0};
 }
 
@@ -142,8 +151,9 @@ void OsmBuilder::addArea(const TaggedFeature& feature, const RegionRole& role) {
             std::size_t index = addRegion(region, role.walled);
             const Ring& metres = region.polygon.outer;
             for (std::size_t i = 0; i < metres.size(); ++i)
-                m_corners.insert({keyOf(source.outer[i]), Corner{index, metres[(i + metres.size() - 1) % metres.size()],
-                                                                 metres[(i + 1) % metres.size()]}});
+                m_corners.insert(
+                    {keyOf(source.outer[i]), Corner{index, metres[(i + metres.size() - 1) % metres.size()],
+                                                    metres[(i + 1) % metres.size()]}});
         }
         if (role.kind == RegionKind::Elevator) linkLevels(stack, AccessKind::Elevator, feature.id);
         if (role.kind == RegionKind::Stairwell) linkLevels(stack, AccessKind::Stairs, feature.id);
@@ -191,7 +201,8 @@ void OsmBuilder::addLift(const TaggedFeature& feature, Point2 at) {
         region.polygon.outer = square(at, kLiftSideM);
         stack.push_back(region.id);
         addRegion(std::move(region), true);
-        note(Severity::Note, "osm-lift-size", "the lift is a point in the source: a square of 1.6 m was drawn for its car", feature.id);
+        note(Severity::Note, "osm-lift-size",
+             "the lift is a point in the source: a square of 1.6 m was drawn for its car", feature.id);
     }
     linkLevels(stack, AccessKind::Elevator, feature.id);
 }
@@ -243,7 +254,8 @@ bool OsmBuilder::mayMeet() {
     return !m_tooMuch;
 }
 
-// The part of a walked line outside every area becomes a strip of the line's width; strips that meet are one corridor.
+// The part of a walked line outside every area becomes a strip of the line's width; strips that meet are one
+// corridor.
 void OsmBuilder::addWalkRegionsOf(double level) {
     GdalMessages quiet;
     const std::vector<std::size_t> areas = m_onLevel[level];
@@ -267,10 +279,12 @@ void OsmBuilder::addWalkRegionsOf(double level) {
         for (Polygon& polygon : polygonsOf(joined.get(), kLeastAreaM2)) {
             Region region;
             ++number;
-            region.id = RegionId((id.empty() ? "corridor" : id) + "@" + formatNumber(level) + "#" + std::to_string(number));
+            region.id = RegionId((id.empty() ? "corridor" : id) + "@" + formatNumber(level) + "#" +
+                                 std::to_string(number));
             region.level = level;
             region.kind = RegionKind::Corridor;
-            auto walk = std::find_if(m_walks.begin(), m_walks.end(), [&id = id](const WalkLine& w) { return w.feature->id == id; });
+            auto walk = std::find_if(m_walks.begin(), m_walks.end(),
+                                     [&id = id](const WalkLine& w) { return w.feature->id == id; });
             if (walk != m_walks.end()) {
                 region.kind = walk->role.kind;
                 region.kindText = walk->role.kindText;
@@ -284,7 +298,9 @@ void OsmBuilder::addWalkRegionsOf(double level) {
 }
 
 void OsmBuilder::addWalls() {
-    auto add = [this](double level, Polyline line) { m_map.data.walls.push_back({level, std::move(line), {}}); };
+    auto add = [this](double level, Polyline line) {
+        m_map.data.walls.push_back({level, std::move(line), {}});
+    };
     for (std::size_t i = 0; i < m_map.data.regions.size(); ++i) {
         if (!m_walled[i]) continue;
         Polyline line = m_map.data.regions[i].polygon.outer;
@@ -316,12 +332,14 @@ void OsmBuilder::addLandmarks() {
             for (const auto& [level, regions] : m_onLevel)
                 if (regionAt(at, level, 0.0)) levels.push_back(level);
         if (levels.size() != 1 && !feature.has("level")) {
-            note(Severity::Warning, "osm-landmark-level", "left out: it has no level, and it stands over no or several levels' regions", feature.id);
+            note(Severity::Warning, "osm-landmark-level",
+                 "left out: it has no level, and it stands over no or several levels' regions", feature.id);
             continue;
         }
         for (double level : levels) {
             if (!regionAt(at, level, kLandmarkReachM)) {
-                note(Severity::Warning, "osm-landmark-outside", "left out: no region of its level lies within 3 m", feature.id);
+                note(Severity::Warning, "osm-landmark-outside",
+                     "left out: no region of its level lies within 3 m", feature.id);
                 continue;
             }
             Landmark landmark;

@@ -1,6 +1,7 @@
 #pragma once
-// Makes a building of OpenStreetMap features. Everything is measured in a local plane; the exact coordinates of nodes
-// (fixed-point in the source) tell which door stands on which outline, as the readers keep no node ids.
+// Makes a building of OpenStreetMap features. Everything is measured in a local plane; the exact coordinates
+// of nodes (fixed-point in the source) tell which door stands on which outline, as the readers keep no node
+// ids.
 
 #include "core/building/import/importer.h"
 #include "core/building/import/local_plane.h"
@@ -24,7 +25,7 @@ public:
 
 private:
     using NodeKey = std::pair<std::int64_t, std::int64_t>; ///< 1e-7 degrees, the source's own unit
-    struct Corner {                                       ///< a vertex of a region's outline
+    struct Corner {                                        ///< a vertex of a region's outline
         std::size_t region;
         Point2 before, after;
     };
@@ -58,15 +59,16 @@ private:
 
     void addDoors();
     void addDoorsOf(const TaggedFeature& feature, Point2 degrees);
-    void addDoor(const TaggedFeature& feature, double level, Polyline line, const std::vector<std::size_t>& sides);
+    void addDoor(const TaggedFeature& feature, double level, Polyline line,
+                 const std::vector<std::size_t>& sides);
     void addRoomOpenings();
     void addOpening(const WalkLine& walk, std::size_t room, Point2 at);
     void addSteps();
     void addFlight(const TaggedFeature& feature, const Polyline& line);
     void addStairs(const TaggedFeature& feature, const Polyline& climb, std::pair<double, double> levels,
                    std::pair<std::optional<std::size_t>, std::optional<std::size_t>> ends, bool rises);
-    std::optional<std::size_t> addStairsHalf(const TaggedFeature& feature, const Polyline& half, double level, double width,
-                                             std::optional<std::size_t> end);
+    std::optional<std::size_t> addStairsHalf(const TaggedFeature& feature, const Polyline& half, double level,
+                                             double width, std::optional<std::size_t> end);
     void joinLonelyLifts();
 
     std::optional<std::size_t> regionAt(Point2 metres, double level, double reach,
@@ -79,8 +81,8 @@ private:
     std::string m_language, m_context;
     LocalPlane m_plane;
     RawMap m_map;
-    std::vector<bool> m_walled;                          ///< beside m_map.data.regions
-    std::vector<Box2> m_boxes;                           ///< the same
+    std::vector<bool> m_walled;                           ///< beside m_map.data.regions
+    std::vector<Box2> m_boxes;                            ///< the same
     std::map<double, std::vector<std::size_t>> m_onLevel; ///< regions of each level
     std::multimap<NodeKey, Corner> m_corners;
     std::map<RegionId, std::vector<std::size_t>> m_accessesOf;

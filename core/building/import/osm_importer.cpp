@@ -18,8 +18,8 @@ public:
         const SourceMember* member = best(source).second;
         if (member == nullptr && source.members.size() == 1) member = &source.members.front();
         if (member == nullptr)
-            return Error{ErrorCode::UnsupportedFormat, "holds no OpenStreetMap file (.osm, .osm.pbf or GeoJSON made of one)",
-                         source.path};
+            return Error{ErrorCode::UnsupportedFormat,
+                         "holds no OpenStreetMap file (.osm, .osm.pbf or GeoJSON made of one)", source.path};
         try {
             std::vector<Finding> findings;
             auto features = readOsmFeatures(source, *member, findings);
@@ -28,7 +28,8 @@ public:
             if (map) map->findings.insert(map->findings.begin(), findings.begin(), findings.end());
             return map;
         } catch (const std::exception& failure) {
-            return Error{ErrorCode::Corrupt, std::string("cannot be read (") + failure.what() + ")", member->name};
+            return Error{ErrorCode::Corrupt, std::string("cannot be read (") + failure.what() + ")",
+                         member->name};
         }
     }
 
@@ -36,13 +37,16 @@ private:
     static std::pair<int, const SourceMember*> best(const SourceListing& source) {
         std::pair<int, const SourceMember*> found{0, nullptr};
         for (const SourceMember& member : source.members)
-            if (int score = looksLikeOsm(member, source.head(member)); score > found.first) found = {score, &member};
+            if (int score = looksLikeOsm(member, source.head(member)); score > found.first)
+                found = {score, &member};
         return found;
     }
 };
 
 } // namespace
 
-std::unique_ptr<Importer> makeOsmImporter() { return std::make_unique<OsmImporter>(); }
+std::unique_ptr<Importer> makeOsmImporter() {
+    return std::make_unique<OsmImporter>();
+}
 
 } // namespace farol::building

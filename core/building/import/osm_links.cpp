@@ -1,7 +1,6 @@
-#include "core/building/import/osm_builder.h"
-
 #include "core/base/ogr.h"
 #include "core/base/text.h"
+#include "core/building/import/osm_builder.h"
 #include "core/building/import/strips.h"
 
 #include <ogrsf_frmts.h>
@@ -17,7 +16,9 @@ constexpr std::size_t kMaxAccesses = 50000;
 constexpr double kDoorWidthM = 1.0, kStairsWidthM = 1.2;
 constexpr double kReachM = 0.7; ///< how far a line's end may miss the area it leads to
 
-Box2 boxOf(const Polyline& line) { return boundingBox(line).value_or(Box2{}); }
+Box2 boxOf(const Polyline& line) {
+    return boundingBox(line).value_or(Box2{});
+}
 
 bool meet(const Box2& a, const Box2& b) {
     return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y;
@@ -49,8 +50,8 @@ std::optional<std::size_t> OsmBuilder::regionAt(Point2 metres, double level, dou
     double bestGap = reach, bestArea = 0.0;
     for (std::size_t index : found->second) {
         const Box2& box = m_boxes[index];
-        bool near = metres.x >= box.low.x - reach && metres.x <= box.high.x + reach && metres.y >= box.low.y - reach &&
-                    metres.y <= box.high.y + reach;
+        bool near = metres.x >= box.low.x - reach && metres.x <= box.high.x + reach &&
+                    metres.y >= box.low.y - reach && metres.y <= box.high.y + reach;
         if (!near || index == except || index >= m_stairsFrom) continue;
         double gap = distanceToPolygon(m_map.data.regions[index].polygon, metres);
         if (gap > bestGap) continue;
@@ -113,7 +114,8 @@ void OsmBuilder::addDoorsOf(const TaggedFeature& feature, Point2 degrees) {
     if (levels.empty())
         for (const auto& [level, corners] : onOutlines) levels.push_back(level);
     if (levels.empty()) {
-        note(Severity::Warning, "osm-door-level", "left out: it has no level and stands on no outline of a region", feature.id);
+        note(Severity::Warning, "osm-door-level",
+             "left out: it has no level and stands on no outline of a region", feature.id);
         return;
     }
     double width = std::clamp(plainNumber(feature.tag("width")).value_or(kDoorWidthM), 0.5, 10.0);
@@ -121,11 +123,13 @@ void OsmBuilder::addDoorsOf(const TaggedFeature& feature, Point2 degrees) {
         std::vector<std::size_t> sides;
         Polyline line{at};
         for (const Corner& corner : onOutlines[level]) {
-            if (std::find(sides.begin(), sides.end(), corner.region) == sides.end()) sides.push_back(corner.region);
+            if (std::find(sides.begin(), sides.end(), corner.region) == sides.end())
+                sides.push_back(corner.region);
             if (line.size() == 1) line = around(at, corner.after - corner.before, width);
         }
         if (sides.empty())
-            if (auto near = regionAt(at, level, 0.3); near && sides.empty()) line = acrossOutline(*near, at, width);
+            if (auto near = regionAt(at, level, 0.3); near && sides.empty())
+                line = acrossOutline(*near, at, width);
         // Two outlines share the node: these are the sides. More: geometry decides, at finishing.
         if (sides.size() > 2) sides.clear();
         if (sides.size() == 1)
@@ -134,21 +138,25 @@ void OsmBuilder::addDoorsOf(const TaggedFeature& feature, Point2 degrees) {
     }
 }
 
-void OsmBuilder::addDoor(const TaggedFeature& feature, double level, Polyline line, const std::vector<std::size_t>& sides) {
+void OsmBuilder::addDoor(const TaggedFeature& feature, double level, Polyline line,
+                         const std::vector<std::size_t>& sides) {
     if (m_map.data.accesses.size() >= kMaxAccesses) return;
     Access access;
-    access.id = AccessId(accessId(feature.id + (levelsOf(feature).size() > 1 ? "@" + formatNumber(level) : "")));
+    access.id =
+        AccessId(accessId(feature.id + (levelsOf(feature).size() > 1 ? "@" + formatNumber(level) : "")));
     access.kind = feature.is("door", "no") ? AccessKind::Opening : AccessKind::Door;
     access.level = level;
     access.doorType = feature.is("door", "yes") || feature.is("door", "no") ? "" : feature.tag("door");
     access.automatic = feature.has("automatic_door") && !feature.is("automatic_door", "no");
     access.widthM = plainNumber(feature.tag("width"));
-    access.closed = isOsmEmergencyDoor(feature) || feature.is("access", "no") || feature.is("access", "private");
+    access.closed =
+        isOsmEmergencyDoor(feature) || feature.is("access", "no") || feature.is("access", "private");
     access.line = std::move(line);
     access.extra = attributesOf(feature.tags);
     if (!sides.empty()) access.regionA = m_map.data.regions[sides.front()].id;
     if (sides.size() > 1) access.regionB = m_map.data.regions[sides[1]].id;
-    for (std::size_t side : sides) m_accessesOf[m_map.data.regions[side].id].push_back(m_map.data.accesses.size());
+    for (std::size_t side : sides)
+        m_accessesOf[m_map.data.regions[side].id].push_back(m_map.data.accesses.size());
     m_map.data.accesses.push_back(std::move(access));
 }
 
@@ -184,13 +192,16 @@ void OsmBuilder::addOpening(const WalkLine& walk, std::size_t room, Point2 at) {
     access.regionA = region.id;
     access.regionB = m_map.data.regions[*other].id;
     access.line = acrossOutline(room, at, kDoorWidthM);
-    for (const RegionId& side : {access.regionA, access.regionB}) m_accessesOf[side].push_back(m_map.data.accesses.size());
+    for (const RegionId& side : {access.regionA, access.regionB})
+        m_accessesOf[side].push_back(m_map.data.accesses.size());
     m_map.data.accesses.push_back(std::move(access));
-    note(Severity::Note, "osm-entrance-by-way", "no door is drawn where a way leads into the room: an opening was put there", region.id.value);
+    note(Severity::Note, "osm-entrance-by-way",
+         "no door is drawn where a way leads into the room: an opening was put there", region.id.value);
 }
 
 void OsmBuilder::addSteps() {
-    m_stairsFrom = m_map.data.regions.size(); // other steps are no place to arrive at, unless there is nothing else
+    m_stairsFrom =
+        m_map.data.regions.size(); // other steps are no place to arrive at, unless there is nothing else
     for (const TaggedFeature& feature : m_features) {
         if (!isOsmSteps(feature) || levelsOf(feature).size() < 2) continue;
         for (Polyline line : feature.lines) {
@@ -214,9 +225,12 @@ void OsmBuilder::addFlight(const TaggedFeature& feature, const Polyline& line) {
     bool rises = upScore >= downScore;
     auto [first, last] = rises ? up : down;
     if (!feature.is("incline", "up") && !feature.is("incline", "down") && upScore == downScore)
-        note(Severity::Warning, "osm-steps-incline", "nothing tells which end of the steps is up; the first was taken as the lower: add incline", feature.id);
+        note(Severity::Warning, "osm-steps-incline",
+             "nothing tells which end of the steps is up; the first was taken as the lower: add incline",
+             feature.id);
     if (!first || !last)
-        note(Severity::Warning, "osm-steps-end", "no region lies at an end of the steps: draw the area or way it leads to", feature.id);
+        note(Severity::Warning, "osm-steps-end",
+             "no region lies at an end of the steps: draw the area or way it leads to", feature.id);
     Polyline climb = line;
     if (!rises) {
         std::reverse(climb.begin(), climb.end());
@@ -225,10 +239,13 @@ void OsmBuilder::addFlight(const TaggedFeature& feature, const Polyline& line) {
     addStairs(feature, climb, {low, high}, {first, last}, rises);
 }
 
-/// The lower half of the steps is a region of the lower level and the upper half one of the upper level: so the place
-/// where they join lies in both, and foot and head lead on where they really are. `climb` runs upwards.
-void OsmBuilder::addStairs(const TaggedFeature& feature, const Polyline& climb, std::pair<double, double> levels,
-                           std::pair<std::optional<std::size_t>, std::optional<std::size_t>> ends, bool rises) {
+/// The lower half of the steps is a region of the lower level and the upper half one of the upper level: so
+/// the place where they join lies in both, and foot and head lead on where they really are. `climb` runs
+/// upwards.
+void OsmBuilder::addStairs(const TaggedFeature& feature, const Polyline& climb,
+                           std::pair<double, double> levels,
+                           std::pair<std::optional<std::size_t>, std::optional<std::size_t>> ends,
+                           bool rises) {
     double width = std::clamp(plainNumber(feature.tag("width")).value_or(kStairsWidthM), 0.6, 10.0);
     Polyline fall(climb.rbegin(), climb.rend());
     auto [lower, along] = firstHalf(climb);
@@ -260,8 +277,9 @@ void OsmBuilder::addStairs(const TaggedFeature& feature, const Polyline& climb, 
 }
 
 /// One half, from its outer end, with the opening to the region there, and its sides as walls.
-std::optional<std::size_t> OsmBuilder::addStairsHalf(const TaggedFeature& feature, const Polyline& half, double level,
-                                                     double width, std::optional<std::size_t> end) {
+std::optional<std::size_t> OsmBuilder::addStairsHalf(const TaggedFeature& feature, const Polyline& half,
+                                                     double level, double width,
+                                                     std::optional<std::size_t> end) {
     std::vector<Polygon> strips;
     appendStrip(half, width / 2, strips);
     auto shape = joinedStrips(strips);
@@ -269,7 +287,8 @@ std::optional<std::size_t> OsmBuilder::addStairsHalf(const TaggedFeature& featur
     Region region;
     std::string id = feature.id + "@" + formatNumber(level);
     region.id = RegionId(id);
-    for (int number = 2; !m_stairIds.insert(region.id.value).second; ++number) region.id = RegionId(id + "#" + std::to_string(number));
+    for (int number = 2; !m_stairIds.insert(region.id.value).second; ++number)
+        region.id = RegionId(id + "#" + std::to_string(number));
     region.level = level;
     region.kind = RegionKind::Stairwell;
     region.name = nameOf(feature, m_language);
@@ -296,12 +315,14 @@ std::optional<std::size_t> OsmBuilder::addStairsHalf(const TaggedFeature& featur
     access.regionA = m_map.data.regions[*end].id;
     access.regionB = own;
     access.line = {half.front() - side, half.front() + side};
-    for (const RegionId& each : {access.regionA, access.regionB}) m_accessesOf[each].push_back(m_map.data.accesses.size());
+    for (const RegionId& each : {access.regionA, access.regionB})
+        m_accessesOf[each].push_back(m_map.data.accesses.size());
     m_map.data.accesses.push_back(std::move(access));
     return index;
 }
 
-/// A lift that stands in an area and has no drawn door is still entered from there; on which side is not known.
+/// A lift that stands in an area and has no drawn door is still entered from there; on which side is not
+/// known.
 void OsmBuilder::joinLonelyLifts() {
     for (std::size_t i = 0; i < m_map.data.regions.size(); ++i) {
         const Region& lift = m_map.data.regions[i];
@@ -326,8 +347,11 @@ void OsmBuilder::joinLonelyLifts() {
         access.regionA = lift.id;
         access.regionB = m_map.data.regions[*around].id;
         access.line = door;
-        note(Severity::Warning, "osm-lift-door", "the lift has no drawn door; one was put on a side that is open: move it to its place", lift.id.value);
-        for (const RegionId& side : {access.regionA, access.regionB}) m_accessesOf[side].push_back(m_map.data.accesses.size());
+        note(Severity::Warning, "osm-lift-door",
+             "the lift has no drawn door; one was put on a side that is open: move it to its place",
+             lift.id.value);
+        for (const RegionId& side : {access.regionA, access.regionB})
+            m_accessesOf[side].push_back(m_map.data.accesses.size());
         m_map.data.accesses.push_back(std::move(access));
     }
 }

@@ -17,8 +17,9 @@ namespace {
 constexpr std::size_t kMaxFeatures = 500000;
 constexpr std::uint64_t kMaxGeoJsonBytes = 64ULL << 20U;
 
-// Every tag comes in one text, so that no key is lost or renamed. The list of areas is only for parts of relations:
-// which closed way is an area is decided by our own rules, as the driver takes most closed indoor ways for lines.
+// Every tag comes in one text, so that no key is lost or renamed. The list of areas is only for parts of
+// relations: which closed way is an area is decided by our own rules, as the driver takes most closed indoor
+// ways for lines.
 constexpr const char* kConfiguration = R"(
 closed_ways_are_polygons=indoor,room,area,building:part,amenity,shop
 report_all_nodes=no
@@ -54,7 +55,8 @@ public:
         static std::atomic<int> count{0};
         m_path = "/vsimem/farol_osm_" + std::to_string(count++) + ".ini";
         auto* bytes = reinterpret_cast<GByte*>(const_cast<char*>(kConfiguration)); // only read
-        VSILFILE* file = VSIFileFromMemBuffer(m_path.c_str(), bytes, std::char_traits<char>::length(kConfiguration), FALSE);
+        VSILFILE* file = VSIFileFromMemBuffer(m_path.c_str(), bytes,
+                                              std::char_traits<char>::length(kConfiguration), FALSE);
         if (file != nullptr) VSIFCloseL(file);
     }
     ~ConfigurationFile() { VSIUnlink(m_path.c_str()); }
@@ -73,21 +75,25 @@ Tags hstoreTags(const char* text) {
     int which = 0;
     bool quoted = false;
     for (const char* c = text; *c != '\0'; ++c) {
-        if (quoted && *c == '\\' && c[1] != '\0') parts[which] += *++c;
-        else if (*c == '"' && !quoted) quoted = true;
+        if (quoted && *c == '\\' && c[1] != '\0')
+            parts[which] += *++c;
+        else if (*c == '"' && !quoted)
+            quoted = true;
         else if (*c == '"') {
             quoted = false;
             if (which == 1) tags[parts[0]] = parts[1];
             if (which == 1) parts[0].clear(), parts[1].clear();
             which = 1 - which;
-        } else if (quoted) parts[which] += *c;
+        } else if (quoted)
+            parts[which] += *c;
     }
     return tags;
 }
 
 std::string textOf(const OGRFeature& feature, const char* field) {
     int index = feature.GetFieldIndex(field);
-    return index < 0 || feature.IsFieldSetAndNotNull(index) == 0 ? std::string() : feature.GetFieldAsString(index);
+    return index < 0 || feature.IsFieldSetAndNotNull(index) == 0 ? std::string()
+                                                                 : feature.GetFieldAsString(index);
 }
 
 TaggedFeature featureOf(const OGRFeature& source, const std::string& layer) {
@@ -95,9 +101,12 @@ TaggedFeature featureOf(const OGRFeature& source, const std::string& layer) {
     for (const char* field : {"all_tags", "other_tags"})
         for (auto& [key, value] : hstoreTags(textOf(source, field).c_str())) feature.tags[key] = value;
     std::string way = textOf(source, "osm_way_id"), id = textOf(source, "osm_id");
-    if (layer == "points") feature.id = "node/" + id;
-    else if (layer == "lines") feature.id = "way/" + id;
-    else feature.id = way.empty() ? "relation/" + id : "way/" + way;
+    if (layer == "points")
+        feature.id = "node/" + id;
+    else if (layer == "lines")
+        feature.id = "way/" + id;
+    else
+        feature.id = way.empty() ? "relation/" + id : "way/" + way;
     return feature;
 }
 
@@ -116,7 +125,8 @@ Result<std::vector<TaggedFeature>> readLayers(GDALDataset& dataset, const std::s
                                               std::vector<Finding>& findings) {
     GdalMessages messages;
     std::vector<TaggedFeature> features;
-    Finding broken{Severity::Warning, "source-geometry", "features left out: they have no usable shape", context, {}};
+    Finding broken{
+        Severity::Warning, "source-geometry", "features left out: they have no usable shape", context, {}};
     dataset.ResetReading();
     for (;;) {
         OGRLayer* layer = nullptr;
@@ -127,10 +137,13 @@ Result<std::vector<TaggedFeature>> readLayers(GDALDataset& dataset, const std::s
         if (feature.tags.empty()) continue;
         bool usable = geometry != nullptr && addShapes(*geometry, feature);
         ringsToPolygons(feature);
-        if (usable) features.push_back(std::move(feature));
-        else broken.ids.push_back(feature.id);
+        if (usable)
+            features.push_back(std::move(feature));
+        else
+            broken.ids.push_back(feature.id);
         if (features.size() > kMaxFeatures)
-            return Error{ErrorCode::Corrupt, "has more than 500,000 tagged features: cut the building out of it", context};
+            return Error{ErrorCode::Corrupt,
+                         "has more than 500,000 tagged features: cut the building out of it", context};
     }
     if (messages.failed())
         return messages.error(ErrorCode::Corrupt, "is damaged OpenStreetMap data", context);
@@ -138,19 +151,25 @@ Result<std::vector<TaggedFeature>> readLayers(GDALDataset& dataset, const std::s
     return features;
 }
 
-Result<std::vector<TaggedFeature>> readThroughOgr(const SourceMember& member, std::vector<Finding>& findings) {
+Result<std::vector<TaggedFeature>> readThroughOgr(const SourceMember& member,
+                                                  std::vector<Finding>& findings) {
     GDALAllRegister();
     ConfigurationFile configuration;
     std::string option = "CONFIG_FILE=" + configuration.path();
     const char* const drivers[] = {"OSM", nullptr};
-    const char* const options[] = {option.c_str(), "INTERLEAVED_READING=YES", "MAX_TMPFILE_SIZE=200", nullptr};
+    const char* const options[] = {option.c_str(), "INTERLEAVED_READING=YES", "MAX_TMPFILE_SIZE=200",
+                                   nullptr};
     GdalMessages messages;
-    DatasetPtr dataset(GDALDataset::Open(member.ogrPath.c_str(), GDAL_OF_VECTOR | GDAL_OF_VERBOSE_ERROR, drivers, options));
-    if (dataset == nullptr) return messages.error(ErrorCode::Corrupt, "cannot be read as OpenStreetMap data", member.name);
+    DatasetPtr dataset(
+        GDALDataset::Open(member.ogrPath.c_str(), GDAL_OF_VECTOR | GDAL_OF_VERBOSE_ERROR, drivers, options));
+    if (dataset == nullptr)
+        return messages.error(ErrorCode::Corrupt, "cannot be read as OpenStreetMap data", member.name);
     return readLayers(*dataset, member.name, findings);
 }
 
-bool contains(const std::string& text, const char* part) { return text.find(part) != std::string::npos; }
+bool contains(const std::string& text, const char* part) {
+    return text.find(part) != std::string::npos;
+}
 
 } // namespace
 

@@ -1,5 +1,6 @@
 #pragma once
-// The features of an OpenStreetMap file: XML or PBF through OGR with our own configuration, or the GeoJSON made of it.
+// The features of an OpenStreetMap file: XML or PBF through OGR with our own configuration, or the GeoJSON
+// made of it.
 
 #include "core/building/import/tagged_feature.h"
 

@@ -13,17 +13,21 @@ bool isOne(const TaggedFeature& feature, const char* key, std::initializer_list<
 }
 
 bool isStairwell(const TaggedFeature& feature) {
-    return feature.is("stairs", "yes") || isOne(feature, "room", {"stairs", "steps", "staircase"}) || isOsmSteps(feature);
+    return feature.is("stairs", "yes") || isOne(feature, "room", {"stairs", "steps", "staircase"}) ||
+           isOsmSteps(feature);
 }
 
 bool isFurniture(const TaggedFeature& feature) {
-    return isOne(feature, "amenity", {"vending_machine", "bench", "atm", "waste_basket", "clock", "ticket_validator"});
+    return isOne(feature, "amenity",
+                 {"vending_machine", "bench", "atm", "waste_basket", "clock", "ticket_validator"});
 }
 
 std::optional<RegionRole> roomRole(const TaggedFeature& feature) {
-    bool toilet = isOne(feature, "room", {"toilet", "toilets", "bathroom"}) || feature.is("amenity", "toilets");
+    bool toilet =
+        isOne(feature, "room", {"toilet", "toilets", "bathroom"}) || feature.is("amenity", "toilets");
     if (toilet) return RegionRole{RegionKind::Toilet, "", true};
-    if (isOne(feature, "room", {"hall", "entrance", "lobby", "auditorium"})) return RegionRole{RegionKind::Hall, "", true};
+    if (isOne(feature, "room", {"hall", "entrance", "lobby", "auditorium"}))
+        return RegionRole{RegionKind::Hall, "", true};
     if (feature.is("room", "corridor")) return RegionRole{RegionKind::Corridor, "", true};
     return RegionRole{RegionKind::Room, "", true};
 }
@@ -32,8 +36,10 @@ std::optional<RegionRole> roomRole(const TaggedFeature& feature) {
 
 std::optional<RegionRole> osmRegionRole(const TaggedFeature& feature) {
     const std::string& indoor = feature.tag("indoor");
-    if (isOne(feature, "indoor", {"wall", "level", "column", "door", "no"}) || isFurniture(feature)) return std::nullopt;
-    if (isOsmLift(feature) || feature.is("room", "elevator")) return RegionRole{RegionKind::Elevator, "", true};
+    if (isOne(feature, "indoor", {"wall", "level", "column", "door", "no"}) || isFurniture(feature))
+        return std::nullopt;
+    if (isOsmLift(feature) || feature.is("room", "elevator"))
+        return RegionRole{RegionKind::Elevator, "", true};
     bool inside = !indoor.empty() || feature.has("room");
     if (isStairwell(feature) && (inside || feature.has("level")))
         return RegionRole{RegionKind::Stairwell, "", indoor == "room"};
@@ -55,11 +61,14 @@ std::optional<RegionRole> osmWalkRole(const TaggedFeature& feature) {
     bool corridor = feature.is("highway", "corridor") || feature.is("indoor", "corridor");
     bool walked = isOne(feature, "highway", {"footway", "pedestrian", "path"});
     if (!corridor && !(walked && inside)) return std::nullopt;
-    if (feature.has("conveying") && !feature.is("conveying", "no")) return RegionRole{RegionKind::Other, "moving_walkway", false};
+    if (feature.has("conveying") && !feature.is("conveying", "no"))
+        return RegionRole{RegionKind::Other, "moving_walkway", false};
     return RegionRole{RegionKind::Corridor, "", false};
 }
 
-bool isOsmSteps(const TaggedFeature& feature) { return feature.is("highway", "steps"); }
+bool isOsmSteps(const TaggedFeature& feature) {
+    return feature.is("highway", "steps");
+}
 
 bool isOsmLift(const TaggedFeature& feature) {
     return feature.is("highway", "elevator") || feature.is("building:part", "elevator");
@@ -78,7 +87,8 @@ bool isOsmDoor(const TaggedFeature& feature) {
 bool isOsmWall(const TaggedFeature& feature) {
     return isOne(feature, "indoor", {"wall", "column"}) ||
            ((feature.has("level") || feature.has("indoor")) &&
-            isOne(feature, "barrier", {"wall", "fence", "handrail", "guard_rail", "retaining_wall", "hedge"}));
+            isOne(feature, "barrier",
+                  {"wall", "fence", "handrail", "guard_rail", "retaining_wall", "hedge"}));
 }
 
 bool isOsmRestricted(const TaggedFeature& feature) {
@@ -94,11 +104,13 @@ std::optional<LandmarkRole> osmLandmarkRole(const TaggedFeature& feature) {
     const std::string& amenity = feature.tag("amenity");
     if (amenity == "vending_machine") return LandmarkRole{Kind::VendingMachine, ""};
     if (amenity == "bench" || amenity == "lounger") return LandmarkRole{Kind::Furniture, ""};
-    if (isOne(feature, "amenity", {"waste_basket", "recycling", "waste_disposal"})) return LandmarkRole{Kind::Bin, ""};
+    if (isOne(feature, "amenity", {"waste_basket", "recycling", "waste_disposal"}))
+        return LandmarkRole{Kind::Bin, ""};
     if (amenity == "drinking_water" || amenity == "fountain") return LandmarkRole{Kind::Fountain, ""};
     if (amenity == "locker" || amenity == "luggage_locker") return LandmarkRole{Kind::Locker, ""};
     if (feature.is("tourism", "artwork")) return LandmarkRole{Kind::Picture, ""};
-    if (feature.has("information") || feature.is("tourism", "information")) return LandmarkRole{Kind::Sign, ""};
+    if (feature.has("information") || feature.is("tourism", "information"))
+        return LandmarkRole{Kind::Sign, ""};
     if (feature.is("advertising", "poster_box")) return LandmarkRole{Kind::Poster, ""};
     for (const char* key : {"amenity", "shop", "office", "healthcare"})
         if (feature.has(key)) return LandmarkRole{Kind::Other, feature.tag(key)};

@@ -17,11 +17,14 @@ struct FileCloser {
 using VsiFile = std::unique_ptr<VSILFILE, FileCloser>;
 
 std::string lowerCase(std::string text) {
-    std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    std::transform(text.begin(), text.end(), text.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     return text;
 }
 
-std::string lastPart(const std::string& name) { return name.substr(name.rfind('/') + 1); }
+std::string lastPart(const std::string& name) {
+    return name.substr(name.rfind('/') + 1);
+}
 
 } // namespace
 
@@ -46,7 +49,9 @@ Result<std::string> SourceListing::content(const SourceMember& member, std::uint
         std::size_t got = VSIFReadL(text.data() + before, 1, kBlock, file.get());
         text.resize(before + got);
         if (text.size() > limit)
-            return Error{ErrorCode::Corrupt, "is larger than " + std::to_string(limit >> 20U) + " MB: no map of a building is", member.name};
+            return Error{ErrorCode::Corrupt,
+                         "is larger than " + std::to_string(limit >> 20U) + " MB: no map of a building is",
+                         member.name};
         if (got < kBlock) return text;
     }
 }

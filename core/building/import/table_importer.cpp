@@ -24,7 +24,9 @@ public:
     int recognises(const SourceListing& source) const override {
         int score = m_format == MapFormat::Shapefile ? 50 : m_format == MapFormat::GeoPackage ? 45 : 10;
         return std::any_of(source.members.begin(), source.members.end(),
-                           [&](const SourceMember& member) { return fits(source, member); }) ? score : 0;
+                           [&](const SourceMember& member) { return fits(source, member); })
+                   ? score
+                   : 0;
     }
 
     Result<RawMap> read(const SourceListing& source, const ImportOptions& options) const override {
@@ -36,14 +38,17 @@ public:
             for (const SourceMember& member : source.members) {
                 if (!fits(source, member) && source.members.size() > 1) continue;
                 if (member.size > kLargestFile)
-                    return Error{ErrorCode::UnsupportedFormat, "is larger than 1 GB: too much for a map of a building", member.name};
+                    return Error{ErrorCode::UnsupportedFormat,
+                                 "is larger than 1 GB: too much for a map of a building", member.name};
                 any = true;
                 if (auto done = reader.read(member); !done) return done.error();
             }
             if (any) return reader.finish(source.path);
-            return Error{ErrorCode::UnsupportedFormat, "holds no file of the format " + mapFormatName(m_format), source.path};
+            return Error{ErrorCode::UnsupportedFormat,
+                         "holds no file of the format " + mapFormatName(m_format), source.path};
         } catch (const std::exception& failure) {
-            return Error{ErrorCode::Corrupt, std::string("cannot be read (") + failure.what() + ")", source.path};
+            return Error{ErrorCode::Corrupt, std::string("cannot be read (") + failure.what() + ")",
+                         source.path};
         }
     }
 
@@ -61,6 +66,8 @@ private:
 
 } // namespace
 
-std::unique_ptr<Importer> makeTableImporter(MapFormat format) { return std::make_unique<TableImporter>(format); }
+std::unique_ptr<Importer> makeTableImporter(MapFormat format) {
+    return std::make_unique<TableImporter>(format);
+}
 
 } // namespace farol::building

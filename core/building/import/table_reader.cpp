@@ -21,10 +21,13 @@ std::string textOf(const OGRFeature& row, int at) {
     return at >= 0 && row.IsFieldSetAndNotNull(at) ? row.GetFieldAsString(at) : std::string();
 }
 
-std::string partId(const std::string& id, std::size_t part) { return part == 0 ? id : id + "/" + std::to_string(part + 1); }
+std::string partId(const std::string& id, std::size_t part) {
+    return part == 0 ? id : id + "/" + std::to_string(part + 1);
+}
 
 bool isWhole(const std::string& text) {
-    return !text.empty() && text.size() < 10 && std::all_of(text.begin(), text.end(), [](unsigned char c) { return std::isdigit(c) != 0; });
+    return !text.empty() && text.size() < 10 &&
+           std::all_of(text.begin(), text.end(), [](unsigned char c) { return std::isdigit(c) != 0; });
 }
 
 Polyline pointsOf(const OGRLineString& line) {
@@ -66,8 +69,8 @@ bool namesReference(const OGRSpatialReference* reference) {
     return name != nullptr && std::string(name).rfind("Undefined", 0) != 0;
 }
 
-/// Texts of a .dbf that names no encoding (no .cpg, language byte unset or "ANSI") come as they are: UTF-8 where they
-/// are valid as such, else taken as Latin-1 later. GDAL alone would read UTF-8 as Latin-1.
+/// Texts of a .dbf that names no encoding (no .cpg, language byte unset or "ANSI") come as they are: UTF-8
+/// where they are valid as such, else taken as Latin-1 later. GDAL alone would read UTF-8 as Latin-1.
 class PlainEncoding {
 public:
     explicit PlainEncoding(const std::string& path) {
@@ -78,7 +81,8 @@ public:
         VSILFILE* table = VSIFOpenL((base + ".dbf").c_str(), "rb");
         if (table == nullptr) return;
         unsigned char header[30] = {};
-        m_set = VSIFReadL(header, 1, sizeof header, table) == sizeof header && (header[29] == 0 || header[29] == 0x57);
+        m_set = VSIFReadL(header, 1, sizeof header, table) == sizeof header &&
+                (header[29] == 0 || header[29] == 0x57);
         VSIFCloseL(table);
         if (m_set) CPLSetThreadLocalConfigOption("SHAPE_ENCODING", "");
     }
@@ -94,7 +98,8 @@ private:
 
 } // namespace
 
-TableReader::TableReader(TableWords words, ImportOptions options) : m_words(std::move(words)), m_options(std::move(options)) {}
+TableReader::TableReader(TableWords words, ImportOptions options)
+    : m_words(std::move(words)), m_options(std::move(options)) {}
 TableReader::~TableReader() = default;
 
 Result<void> TableReader::read(const SourceMember& member) {
@@ -134,24 +139,32 @@ Result<void> TableReader::readLayer(OGRLayer& source, const SourceMember& member
     bool table = source.GetGeomType() == wkbNone;
     if (table && layer.role != TableRole::Level) return {};
     if (layer.role == TableRole::Ignore || (layer.role == TableRole::Level && !table)) {
-        m_findings.add(Severity::Note, "layer-not-used", "layers hold no rooms, doors, walls or points by their name; a profile can "
-                       "say otherwise", layer.name, layer.context);
+        m_findings.add(Severity::Note, "layer-not-used",
+                       "layers hold no rooms, doors, walls or points by their name; a profile can "
+                       "say otherwise",
+                       layer.name, layer.context);
         return {};
     }
     bool transform = !table && takeReference(source, layer);
     source.ResetReading();
     while (OGRFeatureUniquePtr row{source.GetNextFeature()}) {
         if (++m_features > kMostFeatures)
-            return Error{ErrorCode::UnsupportedFormat, "holds more than a million features: no building does", layer.context};
+            return Error{ErrorCode::UnsupportedFormat, "holds more than a million features: no building does",
+                         layer.context};
         ++layer.features;
-        if (table) readLevelRow(*row);
-        else if (transform && row->GetGeometryRef() != nullptr && row->GetGeometryRef()->transformTo(m_reference.get()) != OGRERR_NONE)
-            m_findings.add(Severity::Warning, "feature-geometry", "features cannot be brought to the CRS of the other layers",
-                           layer.name, idOf(*row, layer));
-        else readFeature(*row, layer);
+        if (table)
+            readLevelRow(*row);
+        else if (transform && row->GetGeometryRef() != nullptr &&
+                 row->GetGeometryRef()->transformTo(m_reference.get()) != OGRERR_NONE)
+            m_findings.add(Severity::Warning, "feature-geometry",
+                           "features cannot be brought to the CRS of the other layers", layer.name,
+                           idOf(*row, layer));
+        else
+            readFeature(*row, layer);
     }
     // What a driver complains of while reading is a damaged file; half of a building is worse than none.
-    if (messages.failed()) return messages.error(ErrorCode::Corrupt, "cannot be read to its end", layer.context);
+    if (messages.failed())
+        return messages.error(ErrorCode::Corrupt, "cannot be read to its end", layer.context);
     if (layer.features == 0) m_empty.insert(layer.context);
     return {};
 }
@@ -188,7 +201,8 @@ std::optional<double> TableReader::number(Row row, const std::string& meaning) c
 
 bool TableReader::flag(Row row, const std::string& meaning) const {
     std::string value = lowerCase(text(row, meaning));
-    return !value.empty() && value != "0" && value != "false" && value != "no" && value != "n" && value != "null";
+    return !value.empty() && value != "0" && value != "false" && value != "no" && value != "n" &&
+           value != "null";
 }
 
 std::string TableReader::idOf(Row row, const Layer& layer) const {
@@ -211,7 +225,8 @@ double TableReader::levelOf(Row row, const Layer& layer) {
         if (!level) level = layer.level;
     }
     if (level) return *level;
-    m_findings.add(Severity::Note, "level-assumed", "layers tell no level; the ground floor is assumed (--level-from, or a profile)",
+    m_findings.add(Severity::Note, "level-assumed",
+                   "layers tell no level; the ground floor is assumed (--level-from, or a profile)",
                    layer.name, layer.context);
     return 0.0;
 }
@@ -225,8 +240,10 @@ Attributes TableReader::attributes(Row row) const {
         if (type == OFTBinary) continue;
         if (type == OFTInteger || type == OFTInteger64)
             attributes[field.GetNameRef()] = static_cast<std::int64_t>(row.GetFieldAsInteger64(i));
-        else if (type == OFTReal) attributes[field.GetNameRef()] = row.GetFieldAsDouble(i);
-        else attributes[field.GetNameRef()] = std::string(row.GetFieldAsString(i));
+        else if (type == OFTReal)
+            attributes[field.GetNameRef()] = row.GetFieldAsDouble(i);
+        else
+            attributes[field.GetNameRef()] = std::string(row.GetFieldAsString(i));
     }
     return attributes;
 }
@@ -245,14 +262,17 @@ void TableReader::readShapes(const OGRGeometry& geometry, Shapes& shapes) const 
     OGRwkbGeometryType type = wkbFlatten(geometry.getGeometryType());
     if (OGR_GT_IsNonLinear(type)) {
         std::unique_ptr<OGRGeometry> linear(geometry.getLinearGeometry());
-        if (linear != nullptr && OGR_GT_IsNonLinear(wkbFlatten(linear->getGeometryType())) == FALSE) readShapes(*linear, shapes);
+        if (linear != nullptr && OGR_GT_IsNonLinear(wkbFlatten(linear->getGeometryType())) == FALSE)
+            readShapes(*linear, shapes);
     } else if (type == wkbPolygon) {
         Polygon polygon;
         for (const OGRLinearRing* ring : *geometry.toPolygon()) {
             Ring points = pointsOf(*ring);
             if (points.size() > 1 && points.front() == points.back()) points.pop_back();
-            if (ring == geometry.toPolygon()->getExteriorRing()) polygon.outer = std::move(points);
-            else polygon.holes.push_back(std::move(points));
+            if (ring == geometry.toPolygon()->getExteriorRing())
+                polygon.outer = std::move(points);
+            else
+                polygon.holes.push_back(std::move(points));
         }
         shapes.polygons.push_back(std::move(polygon));
     } else if (type == wkbLineString) {
@@ -269,17 +289,23 @@ TableRole TableReader::roleFor(const TableKind& kind, const Layer& layer, const 
     bool areas = !shapes.polygons.empty(), lines = !shapes.lines.empty();
     // A door as an area is still a door; a staircase is a room as an area and an access as a line.
     if (kind.role == TableRole::Access && layer.role != TableRole::Region) return TableRole::Access;
-    if (kind.role == TableRole::Access && layer.role == TableRole::Region && kind.access != AccessKind::Door) return TableRole::Access;
-    if (kind.role == TableRole::Access && areas && kind.access == AccessKind::Door && layer.role == TableRole::Region)
+    if (kind.role == TableRole::Access && layer.role == TableRole::Region && kind.access != AccessKind::Door)
+        return TableRole::Access;
+    if (kind.role == TableRole::Access && areas && kind.access == AccessKind::Door &&
+        layer.role == TableRole::Region)
         return TableRole::Access;
     if (kind.role == TableRole::Landmark && !areas && !lines) return TableRole::Landmark;
-    if (layer.role == TableRole::Region) return areas ? TableRole::Region : lines ? TableRole::Wall : TableRole::Landmark;
+    if (layer.role == TableRole::Region)
+        return areas ? TableRole::Region : lines ? TableRole::Wall : TableRole::Landmark;
     if (layer.role != TableRole::Unknown) return layer.role;
     if (areas) return TableRole::Region;
     if (!lines) return TableRole::Landmark;
-    if (kind.role == TableRole::Unknown && kind.access != AccessKind::Door) return TableRole::Access; // stairs as a line
-    m_findings.add(Severity::Warning, "layer-role", "lines of layers that nothing names doors or walls are taken as walls; name the "
-                   "layer or give a profile", layer.name, layer.context);
+    if (kind.role == TableRole::Unknown && kind.access != AccessKind::Door)
+        return TableRole::Access; // stairs as a line
+    m_findings.add(Severity::Warning, "layer-role",
+                   "lines of layers that nothing names doors or walls are taken as walls; name the "
+                   "layer or give a profile",
+                   layer.name, layer.context);
     return TableRole::Wall;
 }
 
@@ -288,26 +314,35 @@ void TableReader::readFeature(Row row, Layer& layer) {
     Shapes shapes;
     if (geometry != nullptr && geometry->IsEmpty() == FALSE) readShapes(*geometry, shapes);
     if (shapes.polygons.empty() && shapes.lines.empty() && shapes.points.empty()) {
-        m_findings.add(Severity::Warning, "feature-geometry", "features have no geometry and were left out", layer.name, idOf(row, layer));
+        m_findings.add(Severity::Warning, "feature-geometry", "features have no geometry and were left out",
+                       layer.name, idOf(row, layer));
         return;
     }
     std::string word = text(row, "kind");
     TableKind kind = m_words.kind(word.empty() ? layer.kind : word);
-    if (word.empty() && layer.kind.empty() && lowerCase(layer.name).find("window") != std::string::npos) kind.access = AccessKind::Window;
-    if (word.empty() && layer.kind.empty() && lowerCase(layer.name).find("janela") != std::string::npos) kind.access = AccessKind::Window;
+    if (word.empty() && layer.kind.empty() && lowerCase(layer.name).find("window") != std::string::npos)
+        kind.access = AccessKind::Window;
+    if (word.empty() && layer.kind.empty() && lowerCase(layer.name).find("janela") != std::string::npos)
+        kind.access = AccessKind::Window;
     TableRole role = roleFor(kind, layer, shapes);
     bool known = kind.role != TableRole::Unknown || kind.access != AccessKind::Door;
     if (!word.empty() && !known && (role == TableRole::Region || role == TableRole::Access))
         tellUnknownKind(word, layer.name, idOf(row, layer));
-    if (role == TableRole::Region) addRegions(row, layer, kind, std::move(shapes));
-    else if (role == TableRole::Access) addAccesses(row, layer, kind, shapes);
-    else if (role == TableRole::Landmark) addLandmarks(row, layer, kind, shapes);
-    else if (role == TableRole::Wall) addWalls(row, layer, shapes);
+    if (role == TableRole::Region)
+        addRegions(row, layer, kind, std::move(shapes));
+    else if (role == TableRole::Access)
+        addAccesses(row, layer, kind, shapes);
+    else if (role == TableRole::Landmark)
+        addLandmarks(row, layer, kind, shapes);
+    else if (role == TableRole::Wall)
+        addWalls(row, layer, shapes);
 }
 
 void TableReader::tellUnknownKind(const std::string& word, const std::string& layer, const std::string& id) {
     m_findings.add(Severity::Note, "code-unknown",
-                   "features have the code \"" + word.substr(0, 60) + "\", which nobody knows: name it under codes in a profile", layer, id);
+                   "features have the code \"" + word.substr(0, 60) +
+                       "\", which nobody knows: name it under codes in a profile",
+                   layer, id);
 }
 
 void TableReader::addRegions(Row row, const Layer& layer, const TableKind& kind, Shapes shapes) {
@@ -316,11 +351,13 @@ void TableReader::addRegions(Row row, const Layer& layer, const TableKind& kind,
     region.level = levelOf(row, layer);
     region.name = text(row, "name");
     region.ref = text(row, "ref");
-    region.kind = kind.role == TableRole::Access || kind.role == TableRole::Landmark ? RegionKind::Room : kind.region;
+    region.kind =
+        kind.role == TableRole::Access || kind.role == TableRole::Landmark ? RegionKind::Room : kind.region;
     region.restricted = kind.restricted || flag(row, "restricted");
     region.extra = attributes(row);
     if (shapes.polygons.size() > 1)
-        m_findings.add(Severity::Warning, "region-split", "regions fell into several parts: each part is a region of its own", "regions", id);
+        m_findings.add(Severity::Warning, "region-split",
+                       "regions fell into several parts: each part is a region of its own", "regions", id);
     for (std::size_t part = 0; part < shapes.polygons.size(); ++part) {
         region.id = RegionId(partId(id, part));
         region.polygon = std::move(shapes.polygons[part]);
@@ -344,7 +381,8 @@ void TableReader::addAccesses(Row row, const Layer& layer, const TableKind& kind
     access.automatic = flag(row, "automatic");
     access.closed = flag(row, "closed");
     if (auto width = number(row, "width_m"); width && *width > 0.0 && *width < 100.0) access.widthM = *width;
-    if (auto steps = number(row, "steps"); steps && *steps >= 0.0 && *steps < 10000.0) access.steps = static_cast<int>(*steps);
+    if (auto steps = number(row, "steps"); steps && *steps >= 0.0 && *steps < 10000.0)
+        access.steps = static_cast<int>(*steps);
     access.extra = attributes(row);
     std::vector<Polyline> lines = shapes.lines;
     for (const Polygon& polygon : shapes.polygons) lines.push_back(middleLine(polygon));
@@ -409,7 +447,8 @@ void TableReader::resolveReferences() {
         onLevel(landmark.region, landmark.level);
         if (landmark.region.empty() || known.count(landmark.region.value) != 0) continue;
         m_findings.add(Severity::Warning, "landmark-region-exists",
-                       "points name a region that does not exist; the one they lie in is taken", "landmarks", landmark.id.value);
+                       "points name a region that does not exist; the one they lie in is taken", "landmarks",
+                       landmark.id.value);
         landmark.region = RegionId();
     }
 }
@@ -421,18 +460,23 @@ Result<RawMap> TableReader::finish(const std::string& source) {
     if (data.regions.empty()) {
         std::string only;
         if (!data.accesses.empty())
-            only = "; " + data.accesses.front().id.value + " and what else is a door touches no region (access-joins-two-regions)";
-        else if (!data.walls.empty()) only = "; lines alone enclose no rooms (layer-role)";
-        else if (!empty.empty()) only = "; there are no features in " + empty + " (layer-empty)";
+            only = "; " + data.accesses.front().id.value +
+                   " and what else is a door touches no region (access-joins-two-regions)";
+        else if (!data.walls.empty())
+            only = "; lines alone enclose no rooms (layer-role)";
+        else if (!empty.empty())
+            only = "; there are no features in " + empty + " (layer-empty)";
         return Error{ErrorCode::Corrupt,
                      "holds no rooms, corridors or other areas to walk through" + only +
-                         ": name the folder with all layers, or say what they are in a profile", source};
+                         ": name the folder with all layers, or say what they are in a profile",
+                     source};
     }
     if (!empty.empty())
         m_findings.add({Severity::Warning, "layer-empty", "layers have no features: " + empty, "", {}});
     if (m_reference != nullptr && !m_withoutReference.empty())
         for (const std::string& layer : m_withoutReference)
-            m_findings.add(Severity::Warning, "crs-missing", "layers name no CRS; that of the other layers is taken", layer, layer);
+            m_findings.add(Severity::Warning, "crs-missing",
+                           "layers name no CRS; that of the other layers is taken", layer, layer);
     resolveReferences();
     m_map.findings = m_findings.take();
     return std::move(m_map);

@@ -21,14 +21,21 @@ using Json = nlohmann::json;
 
 const std::map<std::string, std::vector<std::string>>& synonyms() {
     static const std::map<std::string, std::vector<std::string>> columns{
-        {"id", {"region_id", "access_id", "landmark_id", "espacoid", "espaco_id", "spaceid", "space_id", "roomid", "room_id",
-                "unit_id", "id", "gid", "objectid"}},
-        {"region", {"region_id", "espacoid", "espaco_id", "spaceid", "space_id", "roomid", "room_id", "unit_id", "espaco"}},
-        {"region_a", {"region_a", "espacoa", "espaco_a", "espaco1", "room_a", "roomfrom", "from_id", "from_room"}},
+        {"id",
+         {"region_id", "access_id", "landmark_id", "espacoid", "espaco_id", "spaceid", "space_id", "roomid",
+          "room_id", "unit_id", "id", "gid", "objectid"}},
+        {"region",
+         {"region_id", "espacoid", "espaco_id", "spaceid", "space_id", "roomid", "room_id", "unit_id",
+          "espaco"}},
+        {"region_a",
+         {"region_a", "espacoa", "espaco_a", "espaco1", "room_a", "roomfrom", "from_id", "from_room"}},
         {"region_b", {"region_b", "espacob", "espaco_b", "espaco2", "room_b", "roomto", "to_id", "to_room"}},
-        {"name", {"name", "nome", "designacao", "designation", "label", "title", "long_name", "bezeichnung", "nom"}},
-        {"ref", {"ref", "number", "numero", "num", "room_no", "roomnumber", "room_num", "short_name", "sala"}},
-        {"level", {"level", "piso", "floor", "ordinal", "andar", "storey", "level_no", "nivel", "etage", "geschoss"}},
+        {"name",
+         {"name", "nome", "designacao", "designation", "label", "title", "long_name", "bezeichnung", "nom"}},
+        {"ref",
+         {"ref", "number", "numero", "num", "room_no", "roomnumber", "room_num", "short_name", "sala"}},
+        {"level",
+         {"level", "piso", "floor", "ordinal", "andar", "storey", "level_no", "nivel", "etage", "geschoss"}},
         {"kind", {"kind", "tipo", "type", "category", "categoria", "class", "classe", "company_co"}},
         {"restricted", {"restricted", "restriction", "restrict", "private"}},
         {"shaft", {"shaft", "shaft_id"}},
@@ -45,10 +52,18 @@ const std::map<std::string, std::vector<std::string>>& synonyms() {
     return columns;
 }
 
-TableKind regionOf(RegionKind kind) { return {TableRole::Region, kind, AccessKind::Door, Kind::Other, false}; }
-TableKind accessOf(AccessKind kind) { return {TableRole::Access, RegionKind::Room, kind, Kind::Other, false}; }
-TableKind landmarkOf(Kind kind) { return {TableRole::Landmark, RegionKind::Room, AccessKind::Door, kind, false}; }
-TableKind plain(TableRole role) { return {role, RegionKind::Room, AccessKind::Door, Kind::Other, false}; }
+TableKind regionOf(RegionKind kind) {
+    return {TableRole::Region, kind, AccessKind::Door, Kind::Other, false};
+}
+TableKind accessOf(AccessKind kind) {
+    return {TableRole::Access, RegionKind::Room, kind, Kind::Other, false};
+}
+TableKind landmarkOf(Kind kind) {
+    return {TableRole::Landmark, RegionKind::Room, AccessKind::Door, kind, false};
+}
+TableKind plain(TableRole role) {
+    return {role, RegionKind::Room, AccessKind::Door, Kind::Other, false};
+}
 
 const std::map<std::string, TableKind>& kindWords() {
     static const std::map<std::string, TableKind> words = [] {
@@ -56,15 +71,19 @@ const std::map<std::string, TableKind>& kindWords() {
         auto add = [&](const TableKind& kind, std::initializer_list<const char*> names) {
             for (const char* name : names) all.emplace(foldedForMatching(name), kind);
         };
-        add(regionOf(RegionKind::Room), {"room", "sala", "quarto", "gabinete", "escritorio", "laboratorio", "lab", "auditorio",
-                                         "anfiteatro", "espaco", "space", "unit", "shop", "loja", "food", "arrumos", "biblioteca"});
-        add(regionOf(RegionKind::Corridor), {"corridor", "corredor", "hallway", "passage", "passagem", "flur", "couloir"});
+        add(regionOf(RegionKind::Room),
+            {"room", "sala", "quarto", "gabinete", "escritorio", "laboratorio", "lab", "auditorio",
+             "anfiteatro", "espaco", "space", "unit", "shop", "loja", "food", "arrumos", "biblioteca"});
+        add(regionOf(RegionKind::Corridor),
+            {"corridor", "corredor", "hallway", "passage", "passagem", "flur", "couloir"});
         add(regionOf(RegionKind::Hall), {"hall", "atrio", "foyer", "lobby", "entrance hall", "halle"});
         add(regionOf(RegionKind::Stairwell), {"stairwell", "staircase", "caixa de escadas"});
-        add(regionOf(RegionKind::Toilet), {"toilet", "toilets", "wc", "restroom", "bathroom", "casa de banho", "instalacao sanitaria"});
+        add(regionOf(RegionKind::Toilet),
+            {"toilet", "toilets", "wc", "restroom", "bathroom", "casa de banho", "instalacao sanitaria"});
         add(regionOf(RegionKind::Outside), {"outside", "outdoor", "exterior"});
-        add(accessOf(AccessKind::Door), {"door", "porta", "tur", "porte", "gate", "entrance", "entrada", "pedestrian",
-                                         "pedestrian.principal", "pedestrian.transit", "service"});
+        add(accessOf(AccessKind::Door),
+            {"door", "porta", "tur", "porte", "gate", "entrance", "entrada", "pedestrian",
+             "pedestrian.principal", "pedestrian.transit", "service"});
         add(accessOf(AccessKind::Opening), {"opening", "abertura", "vao"});
         add(accessOf(AccessKind::Window), {"window", "janela", "fenster", "fenetre"});
         add(plain(TableRole::Wall), {"wall", "parede", "muro", "wand", "mur", "column", "coluna", "pilar"});
@@ -82,11 +101,16 @@ const std::map<std::string, TableKind>& kindWords() {
 /// Words that are a region as an area, an access as a line and a landmark as a point.
 std::optional<TableKind> climbing(const std::string& folded) {
     static const std::map<std::string, std::pair<RegionKind, AccessKind>> words{
-        {"STAIRS", {RegionKind::Stairwell, AccessKind::Stairs}}, {"STEPS", {RegionKind::Stairwell, AccessKind::Stairs}},
-        {"ESCADA", {RegionKind::Stairwell, AccessKind::Stairs}}, {"ESCADAS", {RegionKind::Stairwell, AccessKind::Stairs}},
-        {"ELEVATOR", {RegionKind::Elevator, AccessKind::Elevator}}, {"LIFT", {RegionKind::Elevator, AccessKind::Elevator}},
-        {"ELEVADOR", {RegionKind::Elevator, AccessKind::Elevator}}, {"ASCENSOR", {RegionKind::Elevator, AccessKind::Elevator}},
-        {"ESCALATOR", {RegionKind::Stairwell, AccessKind::Escalator}}, {"RAMP", {RegionKind::Corridor, AccessKind::Ramp}},
+        {"STAIRS", {RegionKind::Stairwell, AccessKind::Stairs}},
+        {"STEPS", {RegionKind::Stairwell, AccessKind::Stairs}},
+        {"ESCADA", {RegionKind::Stairwell, AccessKind::Stairs}},
+        {"ESCADAS", {RegionKind::Stairwell, AccessKind::Stairs}},
+        {"ELEVATOR", {RegionKind::Elevator, AccessKind::Elevator}},
+        {"LIFT", {RegionKind::Elevator, AccessKind::Elevator}},
+        {"ELEVADOR", {RegionKind::Elevator, AccessKind::Elevator}},
+        {"ASCENSOR", {RegionKind::Elevator, AccessKind::Elevator}},
+        {"ESCALATOR", {RegionKind::Stairwell, AccessKind::Escalator}},
+        {"RAMP", {RegionKind::Corridor, AccessKind::Ramp}},
         {"RAMPA", {RegionKind::Corridor, AccessKind::Ramp}},
     };
     auto found = words.find(folded);
@@ -99,7 +123,8 @@ std::optional<TableKind> climbing(const std::string& folded) {
 
 std::vector<std::string> textsIn(const Json& json) {
     std::vector<std::string> texts;
-    if (json.is_string()) texts.push_back(lowerCase(json.get<std::string>()));
+    if (json.is_string())
+        texts.push_back(lowerCase(json.get<std::string>()));
     else if (json.is_array())
         for (const Json& each : json)
             if (each.is_string()) texts.push_back(lowerCase(each.get<std::string>()));
@@ -107,8 +132,9 @@ std::vector<std::string> textsIn(const Json& json) {
 }
 
 std::optional<TableRole> roleFromName(const std::string& name) {
-    static const std::map<std::string, TableRole> roles{{"regions", TableRole::Region}, {"accesses", TableRole::Access},
-        {"landmarks", TableRole::Landmark}, {"walls", TableRole::Wall}, {"levels", TableRole::Level}, {"ignore", TableRole::Ignore}};
+    static const std::map<std::string, TableRole> roles{
+        {"regions", TableRole::Region}, {"accesses", TableRole::Access}, {"landmarks", TableRole::Landmark},
+        {"walls", TableRole::Wall},     {"levels", TableRole::Level},    {"ignore", TableRole::Ignore}};
     auto found = roles.find(name);
     return found == roles.end() ? std::nullopt : std::optional(found->second);
 }
@@ -138,10 +164,13 @@ std::vector<std::string> wordsOf(const std::string& name) {
     std::vector<std::string> words(1);
     for (std::size_t i = 0; i < name.size(); ++i) {
         unsigned char c = static_cast<unsigned char>(name[i]);
-        bool minus = c == '-' && words.back().empty() && i + 1 < name.size() && std::isdigit(static_cast<unsigned char>(name[i + 1])) != 0 &&
-                     i > 0 && name[i - 1] == '_';
-        if (std::isalnum(c) != 0 || minus) words.back().push_back(static_cast<char>(std::toupper(c)));
-        else if (!words.back().empty()) words.emplace_back();
+        bool minus = c == '-' && words.back().empty() && i + 1 < name.size() &&
+                     std::isdigit(static_cast<unsigned char>(name[i + 1])) != 0 && i > 0 &&
+                     name[i - 1] == '_';
+        if (std::isalnum(c) != 0 || minus)
+            words.back().push_back(static_cast<char>(std::toupper(c)));
+        else if (!words.back().empty())
+            words.emplace_back();
     }
     return words;
 }
@@ -149,7 +178,8 @@ std::vector<std::string> wordsOf(const std::string& name) {
 std::optional<double> number(const std::string& text) {
     double value = 0.0;
     auto [rest, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
-    bool whole = failure == std::errc() && rest == text.data() + text.size() && !text.empty() && std::isfinite(value);
+    bool whole =
+        failure == std::errc() && rest == text.data() + text.size() && !text.empty() && std::isfinite(value);
     return whole ? std::optional(value) : std::nullopt;
 }
 
@@ -163,7 +193,8 @@ std::optional<double> levelWord(const std::string& word) {
         std::string prefix = mark;
         if (word.rfind(prefix, 0) == 0)
             if (auto level = number(word.substr(prefix.size()))) return level;
-        if (word.size() > prefix.size() && word.compare(word.size() - prefix.size(), prefix.size(), prefix) == 0)
+        if (word.size() > prefix.size() &&
+            word.compare(word.size() - prefix.size(), prefix.size(), prefix) == 0)
             if (auto level = number(word.substr(0, word.size() - prefix.size()))) return level;
     }
     return std::nullopt;
@@ -172,7 +203,8 @@ std::optional<double> levelWord(const std::string& word) {
 } // namespace
 
 std::string lowerCase(std::string text) {
-    std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    std::transform(text.begin(), text.end(), text.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     return text;
 }
 
@@ -183,12 +215,15 @@ Result<TableWords> TableWords::fromProfile(const std::string& path) {
     auto text = readFile(path);
     if (!text) return text.error();
     Json json = Json::parse(*text, nullptr, false);
-    if (!json.is_object()) return Error{ErrorCode::InvalidArgument, "is no JSON object with columns, codes, levels or layers", path};
+    if (!json.is_object())
+        return Error{ErrorCode::InvalidArgument, "is no JSON object with columns, codes, levels or layers",
+                     path};
     const auto part = [&](const char* key) {
         auto found = json.find(key);
         return found != json.end() && found->is_object() ? *found : Json(Json::object());
     };
-    const Json columns = part("columns"), codes = part("codes"), levels = part("levels"), layers = part("layers");
+    const Json columns = part("columns"), codes = part("codes"), levels = part("levels"),
+               layers = part("layers");
     for (const auto& [meaning, names] : columns.items()) {
         auto known = words.m_columns.find(meaning);
         if (known == words.m_columns.end())
@@ -204,12 +239,17 @@ Result<TableWords> TableWords::fromProfile(const std::string& path) {
         LayerRule layer;
         layer.pattern = lowerCase(pattern);
         if (rule.is_object() && rule.contains("role")) {
-            auto role = rule["role"].is_string() ? roleFromName(rule["role"].get<std::string>()) : std::nullopt;
-            if (!role) return Error{ErrorCode::InvalidArgument, "the role of layer \"" + pattern + "\" is unknown", path};
+            auto role =
+                rule["role"].is_string() ? roleFromName(rule["role"].get<std::string>()) : std::nullopt;
+            if (!role)
+                return Error{ErrorCode::InvalidArgument, "the role of layer \"" + pattern + "\" is unknown",
+                             path};
             layer.role = *role;
         }
-        if (rule.is_object() && rule.contains("level") && rule["level"].is_number()) layer.level = rule["level"].get<double>();
-        if (rule.is_object() && rule.contains("kind") && rule["kind"].is_string()) layer.kind = rule["kind"].get<std::string>();
+        if (rule.is_object() && rule.contains("level") && rule["level"].is_number())
+            layer.level = rule["level"].get<double>();
+        if (rule.is_object() && rule.contains("kind") && rule["kind"].is_string())
+            layer.kind = rule["kind"].get<std::string>();
         words.m_layers.push_back(std::move(layer));
     }
     return words;
@@ -254,7 +294,8 @@ TableRole TableWords::roleOfLayer(const std::string& name) {
     static const std::vector<std::pair<TableRole, std::vector<const char*>>> keywords{
         {TableRole::Access, {"opening", "door", "entry", "gate", "access", "porta", "window", "janela"}},
         {TableRole::Wall, {"wall", "parede", "muro", "detail", "edge", "curb"}},
-        {TableRole::Landmark, {"landmark", "fixture", "fxt", "furniture", "amenity", "referenc", "poi", "ponto", "objecto"}},
+        {TableRole::Landmark,
+         {"landmark", "fixture", "fxt", "furniture", "amenity", "referenc", "poi", "ponto", "objecto"}},
         {TableRole::Region, {"space", "unit", "room", "region", "espaco", "sala", "area"}},
         {TableRole::Level, {"level", "storey"}},
         {TableRole::Ignore, {"building", "bldg", "venue", "footprint", "anchor"}},

@@ -1,6 +1,6 @@
 #pragma once
-// What columns, codes, layers and floors are called in tables of rooms and doors: synonyms, and the JSON profile that
-// overrules them.
+// What columns, codes, layers and floors are called in tables of rooms and doors: synonyms, and the JSON
+// profile that overrules them.
 
 #include "core/base/error.h"
 #include "core/base/kind.h"
@@ -29,8 +29,9 @@ struct TableKind {
 ///    "codes":   {"SHOP": "room", "PT": "door", "EXT": "extinguisher", "MURO": "wall", "LIXO": "ignore"},
 ///    "levels":  {"CAVE": -1, "RC": 0},
 ///    "layers":  {"plantas_*": {"role": "regions", "level": 2, "kind": "corridor"}}}
-/// Columns: id, region, region_a, region_b, name, ref, level, kind, restricted, shaft, oneway, door_type, automatic,
-/// width_m, steps, closed, text, template, heading_deg. Roles: regions, accesses, landmarks, walls, levels, ignore.
+/// Columns: id, region, region_a, region_b, name, ref, level, kind, restricted, shaft, oneway, door_type,
+/// automatic, width_m, steps, closed, text, template, heading_deg. Roles: regions, accesses, landmarks,
+/// walls, levels, ignore.
 class TableWords {
 public:
     struct LayerRule {
@@ -48,7 +49,7 @@ public:
     TableKind kind(const std::string& word) const;
     std::optional<double> level(const std::string& text) const; ///< "-1", "B1", "GF", "2F", "piso 3"
     const LayerRule* ruleFor(const std::string& layer) const;
-    static TableRole roleOfLayer(const std::string& name);      ///< by keywords in the name
+    static TableRole roleOfLayer(const std::string& name); ///< by keywords in the name
     /// Of a file's or layer's name: _B1_, _GF_, floor-2, MapA (the first floor of the paper's maps).
     std::optional<double> levelOfName(const std::string& name) const;
 

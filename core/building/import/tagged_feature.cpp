@@ -24,10 +24,14 @@ bool tooDeep(const std::string& text) {
     bool quoted = false;
     for (std::size_t i = 0; i < text.size(); ++i) {
         char c = text[i];
-        if (quoted && c == '\\') ++i;
-        else if (c == '"') quoted = !quoted;
-        else if (!quoted && (c == '{' || c == '[') && ++depth > kMaxNesting) return true;
-        else if (!quoted && (c == '}' || c == ']')) --depth;
+        if (quoted && c == '\\')
+            ++i;
+        else if (c == '"')
+            quoted = !quoted;
+        else if (!quoted && (c == '{' || c == '[') && ++depth > kMaxNesting)
+            return true;
+        else if (!quoted && (c == '}' || c == ']'))
+            --depth;
     }
     return false;
 }
@@ -40,8 +44,10 @@ std::string plainText(const Json& value) {
 
 void addTags(const Json& object, Tags& tags) {
     for (const auto& [key, value] : object.items())
-        if (key == "tags" && value.is_object()) addTags(value, tags);
-        else if (!value.is_null()) tags[key] = plainText(value);
+        if (key == "tags" && value.is_object())
+            addTags(value, tags);
+        else if (!value.is_null())
+            tags[key] = plainText(value);
 }
 
 /// Reads coordinates of one geometry; `good` falls when something is no coordinate.
@@ -52,19 +58,27 @@ public:
     bool read(const Json& geometry) {
         if (!geometry.is_object()) return geometry.is_null();
         auto named = geometry.find("type");
-        const std::string type = named != geometry.end() && named->is_string() ? named->get<std::string>() : "";
+        const std::string type =
+            named != geometry.end() && named->is_string() ? named->get<std::string>() : "";
         if (type == "GeometryCollection") {
             for (const Json& part : member(geometry, "geometries")) read(part);
             return m_good;
         }
         const Json& at = member(geometry, "coordinates");
-        if (type == "Point") m_feature.points.push_back(point(at));
-        else if (type == "MultiPoint") for (const Json& one : at) m_feature.points.push_back(point(one));
-        else if (type == "LineString") m_feature.lines.push_back(line(at));
-        else if (type == "MultiLineString") for (const Json& one : at) m_feature.lines.push_back(line(one));
-        else if (type == "Polygon") polygon(at);
-        else if (type == "MultiPolygon") for (const Json& one : at) polygon(one);
-        else m_good = false;
+        if (type == "Point")
+            m_feature.points.push_back(point(at));
+        else if (type == "MultiPoint")
+            for (const Json& one : at) m_feature.points.push_back(point(one));
+        else if (type == "LineString")
+            m_feature.lines.push_back(line(at));
+        else if (type == "MultiLineString")
+            for (const Json& one : at) m_feature.lines.push_back(line(one));
+        else if (type == "Polygon")
+            polygon(at);
+        else if (type == "MultiPolygon")
+            for (const Json& one : at) polygon(one);
+        else
+            m_good = false;
         return m_good;
     }
 
@@ -86,7 +100,8 @@ private:
     Polyline line(const Json& at) {
         Polyline points;
         m_good = m_good && at.is_array();
-        if (at.is_array()) for (const Json& one : at) points.push_back(point(one));
+        if (at.is_array())
+            for (const Json& one : at) points.push_back(point(one));
         m_good = m_good && points.size() >= 2;
         return points;
     }
@@ -98,8 +113,10 @@ private:
             Ring ring = line(rings[i]);
             if (ring.size() > 1 && ring.front() == ring.back()) ring.pop_back();
             m_good = m_good && ring.size() >= 3;
-            if (i == 0) polygon.outer = std::move(ring);
-            else polygon.holes.push_back(std::move(ring));
+            if (i == 0)
+                polygon.outer = std::move(ring);
+            else
+                polygon.holes.push_back(std::move(ring));
         }
         m_feature.polygons.push_back(std::move(polygon));
     }
@@ -112,15 +129,18 @@ TaggedFeature featureOf(const Json& json, bool& good) {
     TaggedFeature feature;
     if (auto properties = json.find("properties"); properties != json.end() && properties->is_object())
         addTags(*properties, feature.tags);
-    if (feature.has("@id")) feature.id = feature.tag("@id");
-    else if (auto id = json.find("id"); id != json.end()) feature.id = plainText(*id);
+    if (feature.has("@id"))
+        feature.id = feature.tag("@id");
+    else if (auto id = json.find("id"); id != json.end())
+        feature.id = plainText(*id);
     if (feature.id.empty()) feature.id = feature.tag("id");
     auto geometry = json.find("geometry");
     good = geometry != json.end() && ShapeReader(feature).read(*geometry);
     return feature;
 }
 
-Result<TaggedCollection> collectionOf(const Json& json, const std::string& context, std::vector<Finding>& findings) {
+Result<TaggedCollection> collectionOf(const Json& json, const std::string& context,
+                                      std::vector<Finding>& findings) {
     auto features = json.is_object() ? json.find("features") : json.end();
     if (features == json.end() || !features->is_array())
         return Error{ErrorCode::UnsupportedFormat, "is no GeoJSON FeatureCollection", context};
@@ -129,14 +149,19 @@ Result<TaggedCollection> collectionOf(const Json& json, const std::string& conte
     TaggedCollection collection;
     for (const auto& [key, value] : json.items())
         if (value.is_primitive() && !value.is_null()) collection.members[key] = plainText(value);
-    Finding broken{Severity::Warning, "source-geometry", "features left out: their coordinates are missing or no places on Earth",
-                   context, {}};
+    Finding broken{Severity::Warning,
+                   "source-geometry",
+                   "features left out: their coordinates are missing or no places on Earth",
+                   context,
+                   {}};
     for (const Json& one : *features) {
         bool good = false;
         TaggedFeature feature = one.is_object() ? featureOf(one, good) : TaggedFeature();
         if (feature.id.empty()) feature.id = "feature " + std::to_string(&one - &(*features)[0]);
-        if (good) collection.features.push_back(std::move(feature));
-        else broken.ids.push_back(feature.id);
+        if (good)
+            collection.features.push_back(std::move(feature));
+        else
+            broken.ids.push_back(feature.id);
     }
     if (!broken.ids.empty()) findings.push_back(std::move(broken));
     return collection;
@@ -193,17 +218,24 @@ bool addShapes(const OGRGeometry& geometry, TaggedFeature& feature) {
             Ring ring = pointsOf(*part, good);
             if (ring.size() > 1 && ring.front() == ring.back()) ring.pop_back();
             good = good && ring.size() >= 3;
-            if (part == geometry.toPolygon()->getExteriorRing()) polygon.outer = std::move(ring);
-            else polygon.holes.push_back(std::move(ring));
+            if (part == geometry.toPolygon()->getExteriorRing())
+                polygon.outer = std::move(ring);
+            else
+                polygon.holes.push_back(std::move(ring));
         }
         good = good && !polygon.outer.empty();
         feature.polygons.push_back(std::move(polygon));
         break;
     }
-    case wkbMultiPoint: case wkbMultiLineString: case wkbMultiPolygon: case wkbGeometryCollection:
-        for (const OGRGeometry* part : *geometry.toGeometryCollection()) good = addShapes(*part, feature) && good;
+    case wkbMultiPoint:
+    case wkbMultiLineString:
+    case wkbMultiPolygon:
+    case wkbGeometryCollection:
+        for (const OGRGeometry* part : *geometry.toGeometryCollection())
+            good = addShapes(*part, feature) && good;
         break;
-    default: good = false;
+    default:
+        good = false;
     }
     return good;
 }
@@ -222,7 +254,8 @@ Attributes attributesOf(const Tags& tags) {
 std::optional<double> plainNumber(const std::string& text) {
     double value = 0.0;
     auto read = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (text.empty() || read.ec != std::errc() || read.ptr != text.data() + text.size() || !std::isfinite(value))
+    if (text.empty() || read.ec != std::errc() || read.ptr != text.data() + text.size() ||
+        !std::isfinite(value))
         return std::nullopt;
     return value;
 }

@@ -1,5 +1,6 @@
 #pragma once
-// A feature as OpenStreetMap, HULOP and WRLD files have it: tags and shapes in degrees. And GeoJSON read into such.
+// A feature as OpenStreetMap, HULOP and WRLD files have it: tags and shapes in degrees. And GeoJSON read into
+// such.
 
 #include "core/base/error.h"
 #include "core/base/geometry.h"
@@ -28,8 +29,9 @@ struct TaggedFeature {
     bool is(const std::string& key, const std::string& value) const { return tag(key) == value; }
 };
 
-/// The features of a FeatureCollection with the top level's other plain members. Properties become text; the members
-/// of an object property "tags" stand among the others. Shapes that cannot be are left out and told in `findings`.
+/// The features of a FeatureCollection with the top level's other plain members. Properties become text; the
+/// members of an object property "tags" stand among the others. Shapes that cannot be are left out and told
+/// in `findings`.
 struct TaggedCollection {
     Tags members;
     std::vector<TaggedFeature> features;

@@ -12,7 +12,8 @@ namespace farol::building {
 
 namespace {
 
-// Walls, doors and windows are drawn to meet, but miss each other by millimetres: wider gaps would be passages.
+// Walls, doors and windows are drawn to meet, but miss each other by millimetres: wider gaps would be
+// passages.
 constexpr double kClosingM = 0.02;
 constexpr double kLeastDrawnM2 = 0.2; ///< cupboards behind doors are drawn, and matter to what a door is
 constexpr double kLeastClosedM2 = 0.5;
@@ -27,16 +28,21 @@ struct NamedKind {
 };
 
 const NamedKind kNamed[] = {
-    {"room", RegionKind::Room, false},         {"unit", RegionKind::Room, false},
-    {"hallway", RegionKind::Corridor, false},  {"bathroom", RegionKind::Toilet, false},
-    {"stairs", RegionKind::Stairwell, false},  {"elevator", RegionKind::Elevator, false},
-    {"escalator", RegionKind::Other, false},   {"garden", RegionKind::Outside, false},
+    {"room", RegionKind::Room, false},
+    {"unit", RegionKind::Room, false},
+    {"hallway", RegionKind::Corridor, false},
+    {"bathroom", RegionKind::Toilet, false},
+    {"stairs", RegionKind::Stairwell, false},
+    {"elevator", RegionKind::Elevator, false},
+    {"escalator", RegionKind::Other, false},
+    {"garden", RegionKind::Outside, false},
     {"inaccessible_space", RegionKind::Other, true},
 };
 
 const NamedKind* namedKind(const TaggedFeature& feature) {
     const std::string& type = feature.tag("type");
-    auto found = std::find_if(std::begin(kNamed), std::end(kNamed), [&type](const NamedKind& one) { return type == one.type; });
+    auto found = std::find_if(std::begin(kNamed), std::end(kNamed),
+                              [&type](const NamedKind& one) { return type == one.type; });
     return found == std::end(kNamed) ? nullptr : found;
 }
 
@@ -72,7 +78,8 @@ Polygon inMetres(const Polygon& degrees, const LocalPlane& plane) {
 
 } // namespace
 
-WrldFloor::WrldFloor(std::vector<TaggedFeature> features, const LocalPlane& plane, double level, std::string name)
+WrldFloor::WrldFloor(std::vector<TaggedFeature> features, const LocalPlane& plane, double level,
+                     std::string name)
     : m_features(std::move(features)), m_level(level), m_name(std::move(name)) {
     for (TaggedFeature& feature : m_features)
         for (Polygon& polygon : feature.polygons) polygon = inMetres(polygon, plane);
@@ -120,7 +127,8 @@ void WrldFloor::addNamed() {
         for (Polygon& polygon : polygonsOf(shape.get(), kLeastDrawnM2)) {
             Region region;
             std::string id = idOf(feature);
-            for (int number = 2; !ids.insert(id).second; ++number) id = idOf(feature) + "#" + std::to_string(number);
+            for (int number = 2; !ids.insert(id).second; ++number)
+                id = idOf(feature) + "#" + std::to_string(number);
             region.id = RegionId(id);
             region.level = m_level;
             region.kind = kind->kind;
@@ -144,7 +152,8 @@ void WrldFloor::addClosedSpaces() {
     for (const GeometryPtr* off : {&m_barrier, &taken})
         if (free != nullptr && *off != nullptr) free.reset(free->Difference(off->get()));
     std::vector<Polygon> spaces = polygonsOf(free.get(), kLeastClosedM2);
-    std::stable_sort(spaces.begin(), spaces.end(), [](const Polygon& a, const Polygon& b) { return area(a) > area(b); });
+    std::stable_sort(spaces.begin(), spaces.end(),
+                     [](const Polygon& a, const Polygon& b) { return area(a) > area(b); });
     for (std::size_t i = 0; i < spaces.size(); ++i) {
         Region region;
         region.id = RegionId(m_name + "/space-" + std::to_string(i + 1));
@@ -185,12 +194,14 @@ void WrldFloor::addDoors() {
             Polyline line = middleLine(polygon);
             if (line.size() < 2 || !(length(line) > 0.0)) continue;
             Point2 along = (line[1] - line[0]) * (1.0 / length(line)), middle = (line[0] + line[1]) * 0.5;
-            auto left = regionBeside(middle, {-along.y, along.x}), right = regionBeside(middle, {along.y, -along.x});
+            auto left = regionBeside(middle, {-along.y, along.x}),
+                 right = regionBeside(middle, {along.y, -along.x});
             bool between = left && right && left != right;
             if (window && !between) continue; // a window to the outside is part of the wall
             Access access;
             std::string id = idOf(feature);
-            for (int number = 2; !ids.insert(id).second; ++number) id = idOf(feature) + "#" + std::to_string(number);
+            for (int number = 2; !ids.insert(id).second; ++number)
+                id = idOf(feature) + "#" + std::to_string(number);
             access.id = AccessId(id);
             access.kind = window ? AccessKind::Window : AccessKind::Door;
             access.level = m_level;
@@ -223,8 +234,10 @@ void WrldFloor::nameKinds() {
             if (!side.empty() && access.kind == AccessKind::Door) ++doors[side];
     for (Region& region : regions) {
         if (!region.extra.empty() || region.kind != RegionKind::Room) continue;
-        if (area(region.polygon) >= kHallM2) region.kind = RegionKind::Hall;
-        else if (doors[region.id] >= kCorridorDoors) region.kind = RegionKind::Corridor;
+        if (area(region.polygon) >= kHallM2)
+            region.kind = RegionKind::Hall;
+        else if (doors[region.id] >= kCorridorDoors)
+            region.kind = RegionKind::Corridor;
     }
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-// One floor of a WRLD map. It has walls, doors and windows as thin polygons and hardly a room: the rooms are what is
-// left of the building's outline without them.
+// One floor of a WRLD map. It has walls, doors and windows as thin polygons and hardly a room: the rooms are
+// what is left of the building's outline without them.
 
 #include "core/building/import/importer.h"
 #include "core/building/import/local_plane.h"

@@ -37,31 +37,36 @@ std::string textOf(const Json& object, const char* key) {
 Result<std::vector<LevelEntry>> levelsOf(const Json& main, const std::string& context) {
     auto levels = main.is_object() ? main.find("levels") : main.end();
     if (levels == main.end() || !levels->is_array() || levels->empty())
-        return Error{ErrorCode::UnsupportedFormat, "lists no levels, as main.json of a WRLD map does", context};
+        return Error{ErrorCode::UnsupportedFormat, "lists no levels, as main.json of a WRLD map does",
+                     context};
     if (levels->size() > kMaxLevels) return Error{ErrorCode::Corrupt, "lists more than 300 levels", context};
     std::vector<LevelEntry> entries;
     std::set<double> orders;
     for (const Json& level : *levels) {
-        LevelEntry entry{textOf(level, "id"), textOf(level, "name"), textOf(level, "readable_name"), textOf(level, "filename"), 0.0};
+        LevelEntry entry{textOf(level, "id"), textOf(level, "name"), textOf(level, "readable_name"),
+                         textOf(level, "filename"), 0.0};
         auto order = level.is_object() ? level.find("z_order") : level.end();
         bool number = order != level.end() && order->is_number_integer();
         entry.zOrder = number ? order->get<double>() : 0.0;
         if (!number || std::abs(entry.zOrder) > 1000.0 || !orders.insert(entry.zOrder).second)
-            return Error{ErrorCode::Corrupt, "a level has no z_order of its own", context + ", level " + entry.id};
+            return Error{ErrorCode::Corrupt, "a level has no z_order of its own",
+                         context + ", level " + entry.id};
         if (entry.name.empty()) entry.name = formatNumber(entry.zOrder);
         entries.push_back(std::move(entry));
     }
     return entries;
 }
 
-/// z_order counts from the lowest floor. The ground is the level that is called so, else the one of the entrance.
+/// z_order counts from the lowest floor. The ground is the level that is called so, else the one of the
+/// entrance.
 double groundOrder(const std::vector<LevelEntry>& levels, const Json& main) {
     for (const LevelEntry& level : levels) {
         std::string name = foldedForMatching(level.name), readable = foldedForMatching(level.readable);
         if (name == "G" || name == "GF" || readable.rfind("GROUND", 0) == 0) return level.zOrder;
     }
     auto entrance = main.find("entrance_level");
-    std::size_t index = entrance != main.end() && entrance->is_number_unsigned() ? entrance->get<std::size_t>() : 0;
+    std::size_t index =
+        entrance != main.end() && entrance->is_number_unsigned() ? entrance->get<std::size_t>() : 0;
     return levels[index < levels.size() ? index : 0].zOrder;
 }
 
@@ -82,23 +87,27 @@ double sharedArea(const Polygon& a, const Polygon& b) {
 
 class Reader {
 public:
-    Reader(const SourceListing& source, Json main) : m_source(source), m_main(std::move(main)), m_plane(centre()) {}
+    Reader(const SourceListing& source, Json main)
+        : m_source(source), m_main(std::move(main)), m_plane(centre()) {}
 
     Result<RawMap> read(const std::string& context) {
         auto levels = levelsOf(m_main, context);
         if (!levels) return levels.error();
         double ground = groundOrder(*levels, m_main);
-        std::sort(levels->begin(), levels->end(), [](const LevelEntry& a, const LevelEntry& b) { return a.zOrder < b.zOrder; });
+        std::sort(levels->begin(), levels->end(),
+                  [](const LevelEntry& a, const LevelEntry& b) { return a.zOrder < b.zOrder; });
         std::set<std::string> names;
         for (LevelEntry& level : *levels) {
             if (!names.insert(level.name).second) level.name += "(" + formatNumber(level.zOrder) + ")";
             if (auto done = readLevel(level, level.zOrder - ground); !done) return done.error();
         }
         if (m_map.data.regions.empty())
-            return Error{ErrorCode::UnsupportedFormat, "no floor has a room or an outline with walls", context};
+            return Error{ErrorCode::UnsupportedFormat, "no floor has a room or an outline with walls",
+                         context};
         m_map.data.title = textOf(m_main, "name");
         m_map.coordinates = RawCoordinates::Geographic;
-        m_map.openBoundaries = true; // stairs and lifts join the landing they are drawn in; walls have a thickness here
+        m_map.openBoundaries =
+            true; // stairs and lifts join the landing they are drawn in; walls have a thickness here
         stack();
         tell(context);
         m_plane.toDegrees(m_map.data);
@@ -110,7 +119,9 @@ private:
         auto location = m_main.is_object() ? m_main.find("location") : m_main.end();
         if (location == m_main.end() || !location->is_object()) return {};
         auto at = location->find("coordinates");
-        if (at == location->end() || !at->is_array() || at->size() < 2 || !(*at)[0].is_number() || !(*at)[1].is_number()) return {};
+        if (at == location->end() || !at->is_array() || at->size() < 2 || !(*at)[0].is_number() ||
+            !(*at)[1].is_number())
+            return {};
         Point2 point{(*at)[0].get<double>(), (*at)[1].get<double>()};
         return isGeographic(point) ? point : Point2{};
     }
@@ -118,7 +129,9 @@ private:
     Result<void> readLevel(const LevelEntry& entry, double ordinal) {
         const SourceMember* member = entry.file.empty() ? nullptr : m_source.find(entry.file);
         if (member == nullptr)
-            return Error{ErrorCode::NotFound, "the floor's file \"" + entry.file + "\" is missing: import the folder or zip that holds it",
+            return Error{ErrorCode::NotFound,
+                         "the floor's file \"" + entry.file +
+                             "\" is missing: import the folder or zip that holds it",
                          "level " + entry.id};
         auto text = m_source.content(*member, kMaxFloorBytes);
         if (!text) return text.error();
@@ -126,7 +139,9 @@ private:
         if (!collection) return collection.error();
         m_features += collection->features.size();
         if (collection->features.size() > kMaxFloorFeatures || m_features > kMaxFeatures)
-            return Error{ErrorCode::Corrupt, "has more than 10,000 features on a floor or 40,000 in all: no building has", member->name};
+            return Error{ErrorCode::Corrupt,
+                         "has more than 10,000 features on a floor or 40,000 in all: no building has",
+                         member->name};
         WrldFloor floor(std::move(collection->features), m_plane, ordinal, entry.name);
         floor.build();
         Level level;
@@ -135,7 +150,9 @@ private:
         level.ref = entry.name;
         m_map.data.levels.push_back(std::move(level));
         m_closed += floor.closedSpaces;
-        auto append = [](auto& all, auto& some) { all.insert(all.end(), std::make_move_iterator(some.begin()), std::make_move_iterator(some.end())); };
+        auto append = [](auto& all, auto& some) {
+            all.insert(all.end(), std::make_move_iterator(some.begin()), std::make_move_iterator(some.end()));
+        };
         append(m_map.data.regions, floor.regions);
         append(m_map.data.accesses, floor.accesses);
         append(m_map.data.walls, floor.walls);
@@ -149,7 +166,8 @@ private:
         const std::vector<Region>& regions = m_map.data.regions;
         std::vector<std::size_t> climbing;
         for (std::size_t i = 0; i < regions.size(); ++i)
-            if (regions[i].kind == RegionKind::Stairwell || regions[i].kind == RegionKind::Elevator || regions[i].kindText == "escalator")
+            if (regions[i].kind == RegionKind::Stairwell || regions[i].kind == RegionKind::Elevator ||
+                regions[i].kindText == "escalator")
                 climbing.push_back(i);
         std::map<std::size_t, std::size_t> shaftOf;
         for (std::size_t i : climbing)
@@ -165,22 +183,32 @@ private:
                 RawMap::VerticalLink link;
                 link.from = a.id;
                 link.to = b.id;
-                link.kind = a.kind == RegionKind::Elevator ? AccessKind::Elevator
-                          : a.kind == RegionKind::Stairwell ? AccessKind::Stairs : AccessKind::Escalator;
+                link.kind = a.kind == RegionKind::Elevator    ? AccessKind::Elevator
+                            : a.kind == RegionKind::Stairwell ? AccessKind::Stairs
+                                                              : AccessKind::Escalator;
                 link.shaft = ShaftId(regions[shaft].id.value);
                 m_map.verticalLinks.push_back(std::move(link));
             }
     }
 
     void tell(const std::string& context) {
-        m_map.findings.push_back({Severity::Note, "wrld-closed-spaces",
-                                  std::to_string(m_closed) + " spaces were closed from walls, doors and windows; they have no names, and "
-                                  "whether they are rooms, corridors or halls is a guess from their doors and size", context, {}});
+        m_map.findings.push_back(
+            {Severity::Note,
+             "wrld-closed-spaces",
+             std::to_string(m_closed) +
+                 " spaces were closed from walls, doors and windows; they have no names, and "
+                 "whether they are rooms, corridors or halls is a guess from their doors and size",
+             context,
+             {}});
         if (!m_narrow.empty())
-            m_map.findings.push_back({Severity::Note, "wrld-narrow-spaces", "strips under 0.3 m between walls were left out", context,
+            m_map.findings.push_back({Severity::Note, "wrld-narrow-spaces",
+                                      "strips under 0.3 m between walls were left out", context,
                                       std::move(m_narrow)});
-        Finding half{Severity::Warning, "wrld-door-one-side", "no space lies on one side of the door: it leads outside, or a wall is missing",
-                     context, {}};
+        Finding half{Severity::Warning,
+                     "wrld-door-one-side",
+                     "no space lies on one side of the door: it leads outside, or a wall is missing",
+                     context,
+                     {}};
         for (const Access& access : m_map.data.accesses)
             if (access.regionA.empty() || access.regionB.empty()) half.ids.push_back(access.id.value);
         if (!half.ids.empty()) m_map.findings.push_back(std::move(half));
@@ -202,13 +230,16 @@ public:
         const SourceMember* main = source.find("main.json");
         if (main == nullptr) return 0;
         std::string head = source.head(*main);
-        return head.find("\"levels\"") != std::string::npos && head.find("\"z_order\"") != std::string::npos ? 90 : 0;
+        return head.find("\"levels\"") != std::string::npos && head.find("\"z_order\"") != std::string::npos
+                   ? 90
+                   : 0;
     }
 
     Result<RawMap> read(const SourceListing& source, const ImportOptions&) const override {
         const SourceMember* main = source.find("main.json");
         if (main == nullptr)
-            return Error{ErrorCode::UnsupportedFormat, "holds no main.json: name the folder or zip of the WRLD map", source.path};
+            return Error{ErrorCode::UnsupportedFormat,
+                         "holds no main.json: name the folder or zip of the WRLD map", source.path};
         auto text = source.content(*main, kMaxMainBytes);
         if (!text) return text.error();
         try {
@@ -222,6 +253,8 @@ public:
 
 } // namespace
 
-std::unique_ptr<Importer> makeWrldImporter() { return std::make_unique<WrldImporter>(); }
+std::unique_ptr<Importer> makeWrldImporter() {
+    return std::make_unique<WrldImporter>();
+}
 
 } // namespace farol::building

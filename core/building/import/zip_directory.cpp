@@ -20,7 +20,8 @@ constexpr std::size_t kEndSize = 22, kEntrySize = 46;
 
 std::uint64_t littleEndian(std::string_view bytes, std::size_t at, std::size_t count) {
     std::uint64_t value = 0;
-    for (std::size_t i = count; i > 0; --i) value = value << 8U | static_cast<unsigned char>(bytes[at + i - 1]);
+    for (std::size_t i = count; i > 0; --i)
+        value = value << 8U | static_cast<unsigned char>(bytes[at + i - 1]);
     return value;
 }
 
@@ -65,14 +66,17 @@ Result<std::vector<ZipEntry>> readZipDirectory(const std::string& path) {
     if (file == nullptr) return Error{ErrorCode::Io, "cannot be opened", path};
     VSIFSeekL(file.get(), 0, SEEK_END);
     std::uint64_t size = VSIFTellL(file.get());
-    std::uint64_t tailSize = std::min<std::uint64_t>(size, kEndSize + 0xFFFF); // a comment may follow the end record
+    std::uint64_t tailSize =
+        std::min<std::uint64_t>(size, kEndSize + 0xFFFF); // a comment may follow the end record
     std::string tail = readAt(*file, size - tailSize, tailSize);
     std::size_t end = tail.rfind(std::string_view("PK\x05\x06", 4));
     if (end == std::string::npos || end + kEndSize > tail.size())
-        return Error{ErrorCode::Corrupt, "the zip is cut off: its list of files is missing; copy it again", path};
+        return Error{ErrorCode::Corrupt, "the zip is cut off: its list of files is missing; copy it again",
+                     path};
     std::uint64_t count = littleEndian(tail, end + 12, 4), offset = littleEndian(tail, end + 16, 4);
     if (count == 0xFFFFFFFF || offset == 0xFFFFFFFF || count > kLargestDirectory)
-        return Error{ErrorCode::UnsupportedFormat, "the zip is larger than any map; unpack it and name the folder", path};
+        return Error{ErrorCode::UnsupportedFormat,
+                     "the zip is larger than any map; unpack it and name the folder", path};
     if (offset + count > size)
         return Error{ErrorCode::Corrupt, "the zip's list of files lies outside it; make the zip again", path};
     return entriesOf(readAt(*file, offset, count), path);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/speech/espeak_engine/espeak_engine.h"
+
 #include "ui/speech/espeak_engine/wav.h"
 
 #include <QAudioDevice>
@@ -17,7 +18,9 @@ namespace {
 /// What a device still holds when the sink has read all is cut off by stop(): let that be silence.
 constexpr int kTailMs = 250;
 
-QString said(const char* text) { return QCoreApplication::translate("farol::espeak", text); }
+QString said(const char* text) {
+    return QCoreApplication::translate("farol::espeak", text);
+}
 
 void scale(Sound& sound, double volume) {
     auto* samples = reinterpret_cast<qint16*>(sound.samples.data());
@@ -29,17 +32,21 @@ void scale(Sound& sound, double volume) {
 } // namespace
 
 EspeakEngine::EspeakEngine(const QVariantMap& parameters, QObject* parent) : QTextToSpeechEngine(parent) {
-    m_wavFolder = parameters.value(QStringLiteral("wav"), qEnvironmentVariable("FAROL_SPEECH_WAV")).toString();
+    m_wavFolder =
+        parameters.value(QStringLiteral("wav"), qEnvironmentVariable("FAROL_SPEECH_WAV")).toString();
     if (voices().isEmpty()) {
         m_state = QTextToSpeech::Error;
         m_errorReason = QTextToSpeech::ErrorReason::Initialization;
-        m_errorString = said(QT_TRANSLATE_NOOP("farol::espeak", "The data of the voice are missing: install espeak-ng-data."));
+        m_errorString = said(
+            QT_TRANSLATE_NOOP("farol::espeak", "The data of the voice are missing: install espeak-ng-data."));
         return;
     }
     if (!setLocale(QLocale())) setLocale(QLocale(QLocale::English, QLocale::UnitedKingdom));
 }
 
-EspeakEngine::~EspeakEngine() { silence(); }
+EspeakEngine::~EspeakEngine() {
+    silence();
+}
 
 QList<QLocale> EspeakEngine::availableLocales() const {
     QList<QLocale> locales;
@@ -53,8 +60,11 @@ QVoice EspeakEngine::publicVoice(const LibraryVoice& voice) {
     const QVoice::Gender gender = voice.gender == 1   ? QVoice::Male
                                   : voice.gender == 2 ? QVoice::Female
                                                       : QVoice::Unknown;
-    const QVoice::Age age = voice.age == 0 ? QVoice::Other : voice.age < 13 ? QVoice::Child
-                          : voice.age < 20 ? QVoice::Teenager : voice.age < 60 ? QVoice::Adult : QVoice::Senior;
+    const QVoice::Age age = voice.age == 0   ? QVoice::Other
+                            : voice.age < 13 ? QVoice::Child
+                            : voice.age < 20 ? QVoice::Teenager
+                            : voice.age < 60 ? QVoice::Adult
+                                             : QVoice::Senior;
     return createVoice(voice.name, voice.locale, gender, age, voice.identifier);
 }
 
@@ -82,7 +92,9 @@ bool EspeakEngine::setLocale(const QLocale& locale) {
     return true;
 }
 
-QVoice EspeakEngine::voice() const { return publicVoice(m_voice); }
+QVoice EspeakEngine::voice() const {
+    return publicVoice(m_voice);
+}
 
 bool EspeakEngine::setVoice(const QVoice& voice) {
     const QByteArray identifier = voiceData(voice).toByteArray();
@@ -121,14 +133,17 @@ void EspeakEngine::say(const QString& text) {
     }
     m_errorReason = QTextToSpeech::ErrorReason::NoError;
     m_errorString.clear();
-    if (m_wavFolder.isEmpty()) play(*sound);
-    else saveWav(std::move(*sound));
+    if (m_wavFolder.isEmpty())
+        play(*sound);
+    else
+        saveWav(std::move(*sound));
 }
 
 void EspeakEngine::play(const Sound& sound) {
     const QAudioDevice device = QMediaDevices::defaultAudioOutput();
     if (device.isNull()) {
-        fail(QTextToSpeech::ErrorReason::Playback, said(QT_TRANSLATE_NOOP("farol::espeak", "There is no sound device.")));
+        fail(QTextToSpeech::ErrorReason::Playback,
+             said(QT_TRANSLATE_NOOP("farol::espeak", "There is no sound device.")));
         return;
     }
     QAudioFormat format;
@@ -137,18 +152,22 @@ void EspeakEngine::play(const Sound& sound) {
     format.setSampleFormat(QAudioFormat::Int16);
     if (!device.isFormatSupported(format)) {
         fail(QTextToSpeech::ErrorReason::Playback,
-             said(QT_TRANSLATE_NOOP("farol::espeak", "The sound device cannot play speech: choose another one.")));
+             said(QT_TRANSLATE_NOOP("farol::espeak",
+                                    "The sound device cannot play speech: choose another one.")));
         return;
     }
-    m_buffer.setData(sound.samples + QByteArray(static_cast<qsizetype>(format.bytesForDuration(kTailMs * 1000)), '\0'));
+    m_buffer.setData(sound.samples +
+                     QByteArray(static_cast<qsizetype>(format.bytesForDuration(kTailMs * 1000)), '\0'));
     m_buffer.open(QIODevice::ReadOnly);
     m_sink = std::make_unique<QAudioSink>(device, format);
     m_sink->setVolume(m_volume);
     connect(m_sink.get(), &QAudioSink::stateChanged, this, &EspeakEngine::sinkChanged);
     m_sink->start(&m_buffer);
-    if (m_sink && m_sink->error() == QAudio::NoError) setState(QTextToSpeech::Speaking);
+    if (m_sink && m_sink->error() == QAudio::NoError)
+        setState(QTextToSpeech::Speaking);
     else if (m_state != QTextToSpeech::Error) {
-        fail(QTextToSpeech::ErrorReason::Playback, said(QT_TRANSLATE_NOOP("farol::espeak", "The sound device does not start.")));
+        fail(QTextToSpeech::ErrorReason::Playback,
+             said(QT_TRANSLATE_NOOP("farol::espeak", "The sound device does not start.")));
     }
 }
 
@@ -165,9 +184,12 @@ void EspeakEngine::saveWav(Sound sound) {
     }
     setState(QTextToSpeech::Speaking);
     // Not from within say(), as with a device.
-    QMetaObject::invokeMethod(this, [this, count = m_wavCount] {
-        if (count == m_wavCount && m_state == QTextToSpeech::Speaking) setState(QTextToSpeech::Ready);
-    }, Qt::QueuedConnection);
+    QMetaObject::invokeMethod(
+        this,
+        [this, count = m_wavCount] {
+            if (count == m_wavCount && m_state == QTextToSpeech::Speaking) setState(QTextToSpeech::Ready);
+        },
+        Qt::QueuedConnection);
 }
 
 void EspeakEngine::sinkChanged(QAudio::State state) {
@@ -176,16 +198,20 @@ void EspeakEngine::sinkChanged(QAudio::State state) {
     const bool broken = state == QAudio::StoppedState && m_sink->error() != QAudio::NoError;
     if (!ended && !broken) return;
     // The sink is still in its own signal: it may not be deleted here.
-    QMetaObject::invokeMethod(this, [this, broken, sink = m_sink.get()] {
-        if (sink != m_sink.get()) return; // another text since
-        silence();
-        if (broken) {
-            fail(QTextToSpeech::ErrorReason::Playback,
-                 said(QT_TRANSLATE_NOOP("farol::espeak", "The sound device stopped in the middle of a text.")));
-        } else {
-            setState(QTextToSpeech::Ready);
-        }
-    }, Qt::QueuedConnection);
+    QMetaObject::invokeMethod(
+        this,
+        [this, broken, sink = m_sink.get()] {
+            if (sink != m_sink.get()) return; // another text since
+            silence();
+            if (broken) {
+                fail(QTextToSpeech::ErrorReason::Playback,
+                     said(QT_TRANSLATE_NOOP("farol::espeak",
+                                            "The sound device stopped in the middle of a text.")));
+            } else {
+                setState(QTextToSpeech::Ready);
+            }
+        },
+        Qt::QueuedConnection);
 }
 
 void EspeakEngine::silence() {

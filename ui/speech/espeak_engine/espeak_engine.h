@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Qt's text-to-speech engine over libespeak-ng: a text is synthesised whole (some ten milliseconds) and then pulled by
-// the sound device. With FAROL_SPEECH_WAV=<folder> each text becomes a WAV file there instead and no device is used.
+// Qt's text-to-speech engine over libespeak-ng: a text is synthesised whole (some ten milliseconds) and then
+// pulled by the sound device. With FAROL_SPEECH_WAV=<folder> each text becomes a WAV file there instead and
+// no device is used.
 
 #include "ui/speech/espeak_engine/espeak_library.h"
 

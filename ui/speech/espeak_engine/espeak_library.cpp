@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/speech/espeak_engine/espeak_library.h"
 
-#include <espeak-ng/speak_lib.h>
-
 #include <QCoreApplication>
 #include <QMutex>
 
 #include <algorithm>
+#include <espeak-ng/speak_lib.h>
 
 namespace farol::espeak {
 
@@ -50,9 +49,11 @@ QLocale localeOf(const QByteArray& language) {
 QList<LibraryVoice> listVoices() {
     QList<LibraryVoice> list;
     if (startLocked() == 0) return list;
-    for (const espeak_VOICE** voice = espeak_ListVoices(nullptr); voice != nullptr && *voice != nullptr; ++voice) {
+    for (const espeak_VOICE** voice = espeak_ListVoices(nullptr); voice != nullptr && *voice != nullptr;
+         ++voice) {
         // languages: pairs of a priority byte and a zero-terminated tag; the first is the voice's own.
-        const QByteArray language = (*voice)->languages != nullptr ? QByteArray((*voice)->languages + 1) : QByteArray();
+        const QByteArray language =
+            (*voice)->languages != nullptr ? QByteArray((*voice)->languages + 1) : QByteArray();
         const QLocale locale = localeOf(language);
         if (language.isEmpty() || locale.language() == QLocale::C) continue;
         list.append({QByteArray((*voice)->identifier), QString::fromUtf8((*voice)->name), language, locale,
@@ -60,7 +61,8 @@ QList<LibraryVoice> listVoices() {
     }
     // The plain variety of a language stands before its dialects ("en-gb" before "en-gb-scotland").
     std::stable_sort(list.begin(), list.end(), [](const LibraryVoice& a, const LibraryVoice& b) {
-        return a.language.size() != b.language.size() ? a.language.size() < b.language.size() : a.language < b.language;
+        return a.language.size() != b.language.size() ? a.language.size() < b.language.size()
+                                                      : a.language < b.language;
     });
     return list;
 }
@@ -83,11 +85,13 @@ std::optional<Sound> synthesise(const QString& text, const Manner& manner, QStri
     Sound sound;
     sound.sampleRate = startLocked();
     if (sound.sampleRate == 0) {
-        *why = QCoreApplication::translate("farol::espeak", "The data of the voice are missing: install espeak-ng-data.");
+        *why = QCoreApplication::translate("farol::espeak",
+                                           "The data of the voice are missing: install espeak-ng-data.");
         return std::nullopt;
     }
     if (espeak_SetVoiceByName(manner.voice.constData()) != EE_OK) {
-        *why = QCoreApplication::translate("farol::espeak", "The voice cannot be loaded: choose another one.");
+        *why =
+            QCoreApplication::translate("farol::espeak", "The voice cannot be loaded: choose another one.");
         return std::nullopt;
     }
     const double rate = std::clamp(manner.rate, -1.0, 1.0);

@@ -16,8 +16,8 @@ struct LibraryVoice {
     QString name;          ///< for people: "Portuguese (Portugal)"
     QByteArray language;   ///< "pt", "en-gb", "en-gb-scotland"
     QLocale locale;
-    int gender = 0;        ///< 0 not told, 1 male, 2 female
-    int age = 0;           ///< years, 0 not told
+    int gender = 0; ///< 0 not told, 1 male, 2 female
+    int age = 0;    ///< years, 0 not told
 };
 
 struct Manner {

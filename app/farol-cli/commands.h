@@ -15,5 +15,6 @@ void addLibraryCommands(CLI::App& app, int& exitCode);   ///< train, library lis
 void addRecogniseCommands(CLI::App& app, int& exitCode); ///< recognise, detect
 void addLocateCommand(CLI::App& app, int& exitCode);     ///< locate
 void addRunCommands(CLI::App& app, int& exitCode);       ///< run, replay
+void addEvaluateCommand(CLI::App& app, int& exitCode);   ///< evaluate
 
 } // namespace farol::cli

@@ -1,0 +1,12 @@
+#include "app/farol-cli/evaluate/evaluation.h"
+
+namespace farol::cli {
+
+const std::vector<Evaluation>& evaluations() {
+    static const std::vector<Evaluation> kAll{
+        {"text", "floor plates, room numbers and blurred signs", evaluateText},
+    };
+    return kAll;
+}
+
+} // namespace farol::cli

@@ -31,7 +31,7 @@ int importMap(ImportArguments arguments) {
     }
     auto imported = building::importBuilding(arguments.source, arguments.options);
     if (!imported) return report(imported.error());
-    if (auto saved = building::saveBuilding(*imported->building, arguments.target); !saved)
+    if (auto saved = building::saveBuilding(*imported->building, arguments.target, imported->origin); !saved)
         return report(saved.error());
     building::BuildingInfo info = building::describe(*imported->building);
     if (arguments.json) {

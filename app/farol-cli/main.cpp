@@ -4,8 +4,10 @@
 #include "app/farol-cli/output.h"
 
 #include <clocale>
+#include <csignal>
 
 int main(int argc, char** argv) {
+    std::signal(SIGXFSZ, SIG_IGN); // a file that may not grow further is told of, like a full disk
     CLI::App app{"Farol on the command line: maps, routes, landmarks, walks.", "farol-cli"};
     app.require_subcommand(1);
     app.set_help_all_flag("--help-all", "Help of every sub-command");

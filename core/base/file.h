@@ -10,8 +10,10 @@
 namespace farol {
 
 /// Lets `write` fill a temporary file beside `target`, then puts it in the target's place in one step (fsync
-/// and rename). Whatever fails, the old target stays whole and the temporary file is removed. `seed`: start
-/// the temporary file as a copy of the existing target, for edits in place.
+/// and rename). Whatever fails, the old target stays whole and the temporary file is removed; so are those of
+/// programs that were killed while they wrote the same target. A symbolic link stays one. `seed`: start the
+/// temporary file as a copy of the existing target, for edits in place. NoSpace when the disk is the reason,
+/// also where `write` could not tell.
 Result<void> replaceFile(const std::filesystem::path& target, bool seed,
                          const std::function<Result<void>(const std::filesystem::path& temporary)>& write);
 

@@ -41,6 +41,16 @@ const OGRGeometry* singlePart(const OGRGeometry& geometry) {
 
 } // namespace
 
+AttributeValue attributeOf(const OGRFeature& feature, int field) {
+    if (!feature.IsFieldSetAndNotNull(field)) return {};
+    OGRFieldType type = feature.GetFieldDefnRef(field)->GetType();
+    if (type == OFTInteger || type == OFTInteger64)
+        return static_cast<std::int64_t>(feature.GetFieldAsInteger64(field));
+    if (type == OFTReal) return feature.GetFieldAsDouble(field);
+    if (type == OFTBinary) return {};
+    return std::string(feature.GetFieldAsString(field));
+}
+
 FeatureRow::FeatureRow(const OGRFeature& feature, const LayerSpec& spec, const std::string& context)
     : m_feature(feature), m_spec(spec), m_context(context) {
     if (spec.key != nullptr) m_name = text(spec.key);
@@ -114,18 +124,9 @@ Attributes FeatureRow::extra() const {
     for (int i = 0; i < m_feature.GetFieldCount(); ++i) {
         const OGRFieldDefn& field = *m_feature.GetFieldDefnRef(i);
         if (m_spec.knows(field.GetNameRef())) continue;
-        AttributeValue value;
-        if (m_feature.IsFieldSetAndNotNull(i)) {
-            if (field.GetType() == OFTInteger || field.GetType() == OFTInteger64)
-                value = static_cast<std::int64_t>(m_feature.GetFieldAsInteger64(i));
-            else if (field.GetType() == OFTReal)
-                value = m_feature.GetFieldAsDouble(i);
-            else if (field.GetType() == OFTBinary)
-                continue; // stays in the file: see the writer
-            else
-                value = std::string(m_feature.GetFieldAsString(i));
-        }
-        attributes.emplace(field.GetNameRef(), std::move(value));
+        if (field.GetType() == OFTBinary && m_feature.IsFieldSetAndNotNull(i))
+            continue; // stays in the file: see the writer
+        attributes.emplace(field.GetNameRef(), attributeOf(m_feature, i));
     }
     return attributes;
 }

@@ -15,6 +15,10 @@ class OGRLineString;
 
 namespace farol::building {
 
+/// The value of one field, whatever its type; nothing for null. Bytes are no attribute: they stay in the
+/// file.
+AttributeValue attributeOf(const OGRFeature& feature, int field);
+
 class FeatureRow {
 public:
     /// `context` names file and layer.

@@ -26,7 +26,13 @@ Result<LoadedBuilding> loadBuilding(const std::string& source);
 
 /// Writes all layers in one transaction. An existing GeoPackage keeps its unknown layers (the landmark
 /// library among them) and unknown fields; whatever fails, the old file stays whole. Keys of the layer
-/// `farol` are added or changed, never removed.
-Result<void> saveBuilding(const Building& building, const std::string& path);
+/// `farol` are added or changed, never removed. A new file starts as a copy of `origin`, the building file
+/// that the map was read from, so that saving under another name keeps the same. What stands in the file as
+/// it would be written stays to the byte. NoSpace for a full disk; Conflict while another program writes to
+/// the file.
+Result<void> saveBuilding(const Building& building, const std::string& path, const std::string& origin = {});
+
+/// Is that a building file as saveBuilding() writes it, rather than some other table of rooms?
+bool isBuildingFile(const std::string& source);
 
 } // namespace farol::building

@@ -361,4 +361,15 @@ Result<LoadedBuilding> loadBuilding(const std::string& source) {
     }
 }
 
+bool isBuildingFile(const std::string& source) {
+    GdalMessages quiet;
+    auto dataset = openVector(source);
+    if (!dataset) return false;
+    OGRLayer* regions = layerOf(**dataset, regionsLayer());
+    OGRLayer* farol = layerOf(**dataset, farolLayer());
+    return regions != nullptr && farol != nullptr &&
+           regions->GetLayerDefn()->GetFieldIndex(regionsLayer().key) >= 0 &&
+           farol->GetLayerDefn()->GetFieldIndex(farolLayer().key) >= 0;
+}
+
 } // namespace farol::building

@@ -122,7 +122,7 @@ Result<void> writeWalls(GDALDataset& dataset, const BuildingData& data, const st
     if (data.walls.empty() && dataset.GetLayerByName(wallsLayer().name) == nullptr) return {};
     LayerWriter writer(dataset, wallsLayer(), data.crs, context);
     return writeItems(
-        writer, data.walls, [](const Wall&) { return std::string(); },
+        writer, data.walls, [](const Wall& wall) { return wallKey(wall.level, wall.line); },
         [&](const Wall& wall) {
             writer.set("level", std::optional<double>(wall.level));
             writer.setLine(wall.line);
@@ -226,12 +226,46 @@ Result<void> fill(const std::filesystem::path& temporary, const BuildingData& da
     return closeVector(std::move(dataset), context);
 }
 
+bool hasContent(const std::string& file) {
+    std::error_code failure;
+    auto size = std::filesystem::file_size(file, failure);
+    return !failure && size > 0;
+}
+
+/// A database has what was written last beside it while a program uses it, or when one was killed. Copying
+/// only the file would lose that; putting a new file beside it would spoil both.
+Result<void> settle(const std::string& path) {
+    const std::string log = path + "-wal", journal = path + "-journal";
+    if (!hasContent(log) && !hasContent(journal)) return {};
+    {
+        GdalMessages quiet;
+        auto opened = openVector(path, OpenMode::Update); // takes over what nobody holds
+        if (opened && (*opened)->GetLayerCount() > 0) (*opened)->GetLayer(0)->GetFeatureCount();
+    }
+    if (!hasContent(log) && !hasContent(journal)) return {};
+    return Error{ErrorCode::Conflict,
+                 "another program has the file open and writes to it; close it there and save again", path};
+}
+
+/// The new file begins as a copy of the one that the map comes from.
+Result<void> copyOrigin(const std::string& origin, const std::filesystem::path& temporary) {
+    std::error_code failure;
+    if (origin.empty() || std::filesystem::exists(temporary, failure)) return {};
+    if (!std::filesystem::is_regular_file(origin, failure)) return {};
+    if (auto settled = settle(origin); !settled) return settled;
+    std::filesystem::copy_file(origin, temporary, failure);
+    if (failure) return systemError(failure.value(), "cannot be copied before saving", origin);
+    return {};
+}
+
 } // namespace
 
-Result<void> saveBuilding(const Building& building, const std::string& path) {
+Result<void> saveBuilding(const Building& building, const std::string& path, const std::string& origin) {
     try {
         if (auto writable = checkWritable(building.data(), path); !writable) return writable;
+        if (auto settled = settle(path); !settled) return settled;
         return replaceFile(path, true, [&](const std::filesystem::path& temporary) {
+            if (auto copied = copyOrigin(origin, temporary); !copied) return copied;
             return fill(temporary, building.data(), path);
         });
     } catch (const std::exception& failure) {

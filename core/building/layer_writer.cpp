@@ -1,18 +1,27 @@
 #include "core/building/layer_writer.h"
 
 #include "core/base/text.h"
+#include "core/building/feature_row.h"
 
 #include <gdal_priv.h>
 #include <ogrsf_frmts.h>
 
+#include <cstring>
 #include <utility>
 
 namespace farol::building {
 
 namespace {
 
+std::string wallKeyOf(const OGRFeature& feature, const LayerSpec& spec) {
+    FeatureRow row(feature, spec, "");
+    std::vector<Polyline> lines = row.lines();
+    double level = row.level();
+    return row.error() || lines.size() != 1 ? std::string() : wallKey(level, lines.front());
+}
+
 std::string keyOf(const OGRFeature& feature, const LayerSpec& spec) {
-    if (spec.key == nullptr) return {};
+    if (spec.key == nullptr) return wallKeyOf(feature, spec);
     int index = feature.GetFieldIndex(spec.key);
     if (index < 0 || !feature.IsFieldSetAndNotNull(index)) return {};
     bool real = feature.GetFieldDefnRef(index)->GetType() == OFTReal;
@@ -103,31 +112,55 @@ Result<void> LayerWriter::indexFeatures() {
 }
 
 Result<void> LayerWriter::addField(const std::string& name, const AttributeValue& value) {
-    if (m_layer->GetLayerDefn()->GetFieldIndex(name.c_str()) >= 0) return {};
-    // Columns that the GeoPackage itself keeps.
-    if (EQUAL(name.c_str(), m_layer->GetFIDColumn()) || EQUAL(name.c_str(), m_layer->GetGeometryColumn()))
-        return {};
     OGRFieldType type = std::holds_alternative<std::int64_t>(value) ? OFTInteger64
                         : std::holds_alternative<double>(value)     ? OFTReal
                                                                     : OFTString;
+    int present = m_layer->GetLayerDefn()->GetFieldIndex(name.c_str());
+    bool known = !std::holds_alternative<std::monostate>(value);
+    if (present >= 0) return known ? widenField(present, type) : Result<void>();
+    // Columns that the GeoPackage itself keeps.
+    if (EQUAL(name.c_str(), m_layer->GetFIDColumn()) || EQUAL(name.c_str(), m_layer->GetGeometryColumn()))
+        return {};
     OGRFieldDefn definition(name.c_str(), type);
     if (m_layer->CreateField(&definition) != OGRERR_NONE) return failure("cannot add the field " + name);
     return {};
 }
 
+/// A number into a column of whole ones, or words into one of numbers, would be cut down without a word.
+Result<void> LayerWriter::widenField(int index, int type) {
+    OGRFieldDefn& present = *m_layer->GetLayerDefn()->GetFieldDefn(index);
+    OGRFieldType now = present.GetType();
+    bool whole = now == OFTInteger || now == OFTInteger64;
+    bool narrow = (type == OFTReal && whole) || (type == OFTInteger64 && now == OFTInteger) ||
+                  (type == OFTString && (whole || now == OFTReal));
+    if (!narrow) return {};
+    OGRFieldDefn wider(present.GetNameRef(), static_cast<OGRFieldType>(type));
+    if (m_layer->AlterFieldDefn(index, &wider, ALTER_TYPE_FLAG) != OGRERR_NONE)
+        return failure(std::string("cannot widen the field ") + present.GetNameRef());
+    return {};
+}
+
 OGRFeature& LayerWriter::begin(const std::string& key) {
     m_feature.reset();
-    auto old = key.empty() ? m_old.end() : m_old.find(key);
+    m_before.reset();
+    auto old = m_old.find(key);
     if (old != m_old.end()) {
-        m_feature.reset(m_layer->GetFeature(old->second));
+        m_before.reset(m_layer->GetFeature(old->second));
         m_old.erase(old);
     }
-    m_isNew = m_feature == nullptr;
-    if (m_isNew) m_feature = std::make_unique<OGRFeature>(m_layer->GetLayerDefn());
+    m_feature = m_before != nullptr ? std::unique_ptr<OGRFeature>(m_before->Clone())
+                                    : std::make_unique<OGRFeature>(m_layer->GetLayerDefn());
     return *m_feature;
 }
 
+bool LayerWriter::isNull(const char* field) const {
+    return !m_feature->IsFieldSetAndNotNull(m_feature->GetFieldIndex(field));
+}
+
 void LayerWriter::set(const char* field, const std::string& text) {
+    if (text.empty() && m_before != nullptr &&
+        (isNull(field) || *m_feature->GetFieldAsString(m_feature->GetFieldIndex(field)) == 0))
+        return; // an empty text stays the empty text that it was
     if (text.empty())
         m_feature->SetFieldNull(m_feature->GetFieldIndex(field));
     else
@@ -135,6 +168,10 @@ void LayerWriter::set(const char* field, const std::string& text) {
 }
 
 void LayerWriter::set(const char* field, std::optional<double> number) {
+    if (m_before != nullptr) {
+        FeatureRow row(*m_before, m_spec, "");
+        if (row.number(field) == number && !row.error()) return;
+    }
     if (number)
         m_feature->SetField(field, *number);
     else
@@ -142,13 +179,18 @@ void LayerWriter::set(const char* field, std::optional<double> number) {
 }
 
 void LayerWriter::set(const char* field, bool flag) {
+    if (m_before != nullptr) {
+        FeatureRow row(*m_before, m_spec, "");
+        if (row.flag(field) == flag && !row.error()) return; // also where nobody filled it in
+    }
     m_feature->SetField(field, flag ? 1 : 0);
 }
 
 void LayerWriter::set(const Attributes& extra) {
     for (const auto& [name, value] : extra) {
         int index = m_feature->GetFieldIndex(name.c_str());
-        if (index < 0) continue;
+        // What is as it was stays to the byte: a date, a list or a raw string is more than its text.
+        if (index < 0 || (m_before != nullptr && attributeOf(*m_before, index) == value)) continue;
         if (const auto* whole = std::get_if<std::int64_t>(&value))
             m_feature->SetField(index, static_cast<GIntBig>(*whole));
         else if (const auto* real = std::get_if<double>(&value))
@@ -169,6 +211,11 @@ void LayerWriter::setGeometry(OGRGeometry* geometry) {
 }
 
 void LayerWriter::setPolygon(const Polygon& polygon) {
+    if (m_before != nullptr) { // heights and curves that Farol does not read stay where nothing moved
+        FeatureRow row(*m_before, m_spec, "");
+        Polygon before = row.polygon();
+        if (!row.error() && before.outer == polygon.outer && before.holes == polygon.holes) return;
+    }
     auto shape = std::make_unique<OGRPolygon>();
     addRing(*shape, polygon.outer);
     for (const Ring& hole : polygon.holes) addRing(*shape, hole);
@@ -176,6 +223,10 @@ void LayerWriter::setPolygon(const Polygon& polygon) {
 }
 
 void LayerWriter::setLine(const Polyline& line) {
+    if (m_before != nullptr) {
+        FeatureRow row(*m_before, m_spec, "");
+        if (row.pointOrLine() == line && !row.error()) return;
+    }
     if (line.size() == 1) {
         setGeometry(new OGRPoint(line.front().x, line.front().y));
         return;
@@ -186,7 +237,9 @@ void LayerWriter::setLine(const Polyline& line) {
 }
 
 Result<void> LayerWriter::finish() {
-    OGRErr code = m_isNew ? m_layer->CreateFeature(m_feature.get()) : m_layer->SetFeature(m_feature.get());
+    if (m_before != nullptr && m_feature->Equal(m_before.get()) != FALSE) return {};
+    OGRErr code =
+        m_before == nullptr ? m_layer->CreateFeature(m_feature.get()) : m_layer->SetFeature(m_feature.get());
     if (code != OGRERR_NONE || m_messages.failed())
         return failure("cannot write the feature " + keyOf(*m_feature, m_spec));
     return {};
@@ -197,6 +250,16 @@ Result<void> LayerWriter::close(Missing missing) {
     for (const auto& [key, number] : m_old)
         if (m_layer->DeleteFeature(number) != OGRERR_NONE) return failure("cannot remove the feature " + key);
     return {};
+}
+
+std::string wallKey(double level, const Polyline& line) {
+    std::string key = formatNumber(level);
+    if (!line.empty()) {
+        std::size_t start = key.size(), bytes = line.size() * sizeof(Point2);
+        key.resize(start + bytes);
+        std::memcpy(key.data() + start, line.data(), bytes);
+    }
+    return key;
 }
 
 } // namespace farol::building

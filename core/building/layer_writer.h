@@ -28,7 +28,7 @@ public:
     Result<void> open();
     /// A field that Farol does not know, of the type of its value.
     Result<void> addField(const std::string& name, const AttributeValue& value);
-    /// The feature with this key, or a new one; valid until the next call. An empty key: always new.
+    /// The feature with this key, or a new one; valid until the next call.
     OGRFeature& begin(const std::string& key);
     void set(const char* field, const std::string& text);
     void set(const char* field, std::optional<double> number);
@@ -36,14 +36,16 @@ public:
     void set(const Attributes& extra);
     void setPolygon(const Polygon& polygon);
     void setLine(const Polyline& line); ///< a single point becomes a Point
-    Result<void> finish();
+    Result<void> finish();              ///< a feature in which nothing changed is not written again
     Result<void> close(Missing missing);
 
 private:
     Result<void> create();
     Result<void> indexFeatures();
+    Result<void> widenField(int index, int type);
     bool crsDiffers() const;
     void setGeometry(OGRGeometry* geometry);
+    bool isNull(const char* field) const;
     Error failure(const std::string& action) const;
 
     GDALDataset& m_dataset;
@@ -54,7 +56,10 @@ private:
     OGRLayer* m_layer = nullptr;
     std::multimap<std::string, long long> m_old; ///< key -> feature number, of those not written again yet
     std::unique_ptr<OGRFeature> m_feature;
-    bool m_isNew = false;
+    std::unique_ptr<OGRFeature> m_before; ///< the feature as it stands in the file; nullptr for a new one
 };
+
+/// What finds a wall again in a layer without keys: its level and its line.
+std::string wallKey(double level, const Polyline& line);
 
 } // namespace farol::building

@@ -3,6 +3,8 @@
 #include <cerrno>
 #include <fstream>
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 namespace farol {
 namespace {
@@ -62,6 +64,27 @@ TEST_F(ReplaceFile, StartsFromTheOldContentWhenSeeded) {
     });
     ASSERT_TRUE(result.ok());
     EXPECT_EQ(content(), "older");
+}
+
+TEST_F(ReplaceFile, SweepsWhatKilledProgramsLeft) {
+    fs::path left, inUse;
+    ASSERT_TRUE(replaceFile(m_target, false, [&](const fs::path& path) {
+                    left = inUse = path;
+                    return writeNew(path);
+                }).ok());
+    pid_t child = ::fork();
+    if (child == 0) ::_exit(0);
+    ASSERT_GT(child, 0);
+    ::waitpid(child, nullptr, 0); // from here on there is no such process
+    std::string name = left.filename().string(), own = "-" + std::to_string(::getpid()) + "-";
+    left.replace_filename(
+        std::string(name).replace(name.find(own), own.size(), "-" + std::to_string(child) + "-"));
+    for (const std::string& file : {left.string(), left.string() + "-journal", inUse.string()})
+        std::ofstream(file) << "half";
+    ASSERT_TRUE(replaceFile(m_target, false, writeNew).ok());
+    EXPECT_FALSE(fs::exists(left));
+    EXPECT_FALSE(fs::exists(left.string() + "-journal"));
+    EXPECT_TRUE(fs::exists(inUse)) << "another save of a living program";
 }
 
 TEST_F(ReplaceFile, SaysWhichFolderIsMissing) {

@@ -1,3 +1,4 @@
+#include "core/building/geopackage.h"
 #include "core/building/import/importer.h"
 
 #include <array>
@@ -64,6 +65,23 @@ Result<std::unique_ptr<Importer>> chosenImporter(const SourceListing& source, co
                  source.path};
 }
 
+/// A building file is no foreign map: nothing in it is renamed, joined anew or mended.
+std::optional<ImportedBuilding> asItStands(const SourceListing& source, const ImportOptions& options) {
+    bool plain = !source.folder && !source.zip && options.profile.empty() && options.levelFrom.empty() &&
+                 (!options.format || *options.format == MapFormat::GeoPackage);
+    bool database = plain && source.members.size() == 1 &&
+                    source.head(source.members.front(), 16).rfind("SQLite format 3", 0) == 0;
+    if (!database || !isBuildingFile(source.path)) return std::nullopt;
+    auto loaded = loadBuilding(source.path);
+    if (!loaded) return std::nullopt;
+    ImportedBuilding imported;
+    imported.building = loaded->building;
+    imported.format = MapFormat::GeoPackage;
+    imported.origin = source.path;
+    imported.findings = checkBuilding(*imported.building);
+    return imported;
+}
+
 } // namespace
 
 std::string mapFormatName(MapFormat format) {
@@ -82,6 +100,7 @@ Result<ImportedBuilding> importBuilding(const std::string& source, const ImportO
     try {
         auto listing = listSource(source);
         if (!listing) return listing.error();
+        if (auto own = asItStands(*listing, options)) return std::move(*own);
         auto importer = chosenImporter(*listing, options);
         if (!importer) return importer.error();
         auto raw = (*importer)->read(*listing, options);

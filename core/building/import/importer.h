@@ -102,6 +102,9 @@ struct ImportedBuilding {
     std::shared_ptr<const Building> building;
     MapFormat format = MapFormat::GeoJson;
     std::vector<Finding> findings; ///< of the source, of the mending, and of checkBuilding() at the end
+    /// The source, when it is a building file already: taken as it stands, and to be saved with what else is in
+    /// it (see saveBuilding).
+    std::string origin{};
 };
 
 /// Metric CRS (UTM of the place; never 3857), repaired polygons (GEOS through OGR), accesses joined to the
@@ -109,7 +112,8 @@ struct ImportedBuilding {
 /// is told.
 Result<ImportedBuilding> finishImport(RawMap raw, MapFormat format);
 
-/// listSource, the importer that recognises it best, read, finish.
+/// listSource, the importer that recognises it best, read, finish. A building file is read as it stands unless
+/// that fails (degrees, say) or the options ask for more.
 Result<ImportedBuilding> importBuilding(const std::string& source, const ImportOptions& options = {});
 
 } // namespace farol::building

@@ -22,7 +22,7 @@ using Json = nlohmann::json;
 const std::map<std::string, std::vector<std::string>>& synonyms() {
     static const std::map<std::string, std::vector<std::string>> columns{
         {"id",
-         {"region_id", "access_id", "landmark_id", "espacoid", "espaco_id", "spaceid", "space_id", "roomid",
+         {"access_id", "landmark_id", "region_id", "espacoid", "espaco_id", "spaceid", "space_id", "roomid",
           "room_id", "unit_id", "id", "gid", "objectid"}},
         {"region",
          {"region_id", "espacoid", "espaco_id", "spaceid", "space_id", "roomid", "room_id", "unit_id",

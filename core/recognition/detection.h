@@ -43,6 +43,8 @@ struct Rejection {
 struct Motion {
     std::optional<Radians> turn; ///< left positive
     std::optional<double> speed; ///< relative units, 0 standing
+    std::optional<bool> walking;
+    std::optional<double> stepsPerSecond;
 };
 
 struct DetectorResult {

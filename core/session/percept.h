@@ -41,7 +41,7 @@ struct NavigationStep {
 
 /// Milliseconds of each hop for one frame; measured, never part of a decision or of a recording.
 struct HopTimes {
-    double sceneMs = 0.0, landmarksMs = 0.0, doorsMs = 0.0, rectanglesMs = 0.0, textMs = 0.0,
+    double sceneMs = 0.0, motionMs = 0.0, landmarksMs = 0.0, doorsMs = 0.0, rectanglesMs = 0.0, textMs = 0.0,
            navigateMs = 0.0;
     double ageMs = 0.0; ///< from the frame's entry into the program to the end of the chain
 };

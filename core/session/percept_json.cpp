@@ -117,6 +117,8 @@ Json perceptJson(const Percept& percept) {
         json["rejections"].push_back(rejectionJson(rejection));
     if (percept.motion.turn) json["turn_rad"] = exactNumber(percept.motion.turn->value);
     if (percept.motion.speed) json["speed"] = exactNumber(*percept.motion.speed);
+    if (percept.motion.walking) json["walking"] = *percept.motion.walking;
+    if (percept.motion.stepsPerSecond) json["steps_per_s"] = exactNumber(*percept.motion.stepsPerSecond);
     return json;
 }
 
@@ -134,6 +136,8 @@ Result<Percept> perceptFromJson(const Json& json) {
     percept.rejections = listFrom<recognition::Rejection>(fields, "rejections", rejectionFrom);
     if (auto turn = fields.optionalNumber("turn_rad")) percept.motion.turn = Radians{*turn};
     percept.motion.speed = fields.optionalNumber("speed");
+    if (fields.has("walking")) percept.motion.walking = fields.flagOr("walking", false);
+    percept.motion.stepsPerSecond = fields.optionalNumber("steps_per_s");
     if (!fields.ok()) return fields.error();
     return percept;
 }

@@ -51,6 +51,8 @@ void keepFinite(Percept& percept) {
     }
     if (percept.motion.turn && !std::isfinite(percept.motion.turn->value)) percept.motion.turn.reset();
     if (percept.motion.speed && !std::isfinite(*percept.motion.speed)) percept.motion.speed.reset();
+    if (percept.motion.stepsPerSecond && !std::isfinite(*percept.motion.stepsPerSecond))
+        percept.motion.stepsPerSecond.reset();
     if (!std::isfinite(percept.sharpness)) percept.sharpness = 0.0;
 }
 
@@ -67,7 +69,7 @@ bool hasViews(const recognition::LandmarkLibrary* library) {
 
 Result<void> PerceptionOptions::check() const {
     for (const Result<void>& checked : {recogniser.check(), doorDetector.check(), rectangleDetector.check(),
-                                        textReader.check(), scene.check()})
+                                        textReader.check(), visualMotion.check(), scene.check()})
         if (!checked) return checked;
     if (!std::isfinite(secondsBetweenReadings) || secondsBetweenReadings < 0.0)
         return Error{ErrorCode::InvalidArgument,
@@ -78,7 +80,7 @@ Result<void> PerceptionOptions::check() const {
 
 Perception::Perception(std::shared_ptr<const recognition::LandmarkLibrary> library, PerceptionOptions options,
                        std::vector<std::string>& warnings)
-    : m_options(std::move(options)), m_scene(m_options.scene) {
+    : m_options(std::move(options)), m_motion(m_options.visualMotion), m_scene(m_options.scene) {
     if (m_options.landmarks && hasViews(library.get())) {
         m_recogniser.emplace(std::move(library), m_options.recogniser);
     } else if (m_options.landmarks) {
@@ -107,6 +109,8 @@ Percept Perception::look(const capture::Frame& frame, HopTimes* times) {
     percept.scene = m_scene.observe(frame.image);
     percept.sharpness = recognition::sharpness(frame.image);
     watch.lap(spent.sceneMs);
+    if (m_options.motion) percept.motion = m_motion.observe(frame.image, frame.capturedAt);
+    watch.lap(spent.motionMs);
     if (m_recogniser) append(percept, m_recogniser->recognise(frame.image));
     watch.lap(spent.landmarksMs);
     if (m_options.doors) append(percept, recognition::detectDoors(frame.image, m_options.doorDetector));

@@ -6,6 +6,7 @@
 #include "core/recognition/landmark_recogniser.h"
 #include "core/recognition/rectangle_detector.h"
 #include "core/recognition/text_reader.h"
+#include "core/recognition/visual_motion.h"
 #include "core/session/percept.h"
 
 #include <memory>
@@ -14,7 +15,7 @@
 namespace farol::session {
 
 struct PerceptionOptions {
-    bool landmarks = true, doors = true, text = true;
+    bool landmarks = true, doors = true, text = true, motion = true;
     /// Generic boards as detections too. Off: they only say where the text reader looks, and would fill the
     /// short history with things that nearly every wall has.
     bool rectangles = false;
@@ -22,6 +23,7 @@ struct PerceptionOptions {
     recognition::DoorDetectorOptions doorDetector;
     recognition::RectangleDetectorOptions rectangleDetector;
     recognition::TextReaderOptions textReader;
+    recognition::VisualMotionOptions visualMotion;
     localisation::SceneOptions scene;
     /// Reading is the slowest hop: at most one read in this time of the frames' own clock.
     double secondsBetweenReadings = 0.3;
@@ -44,6 +46,7 @@ private:
     PerceptionOptions m_options;
     std::optional<recognition::LandmarkRecogniser> m_recogniser;
     std::optional<recognition::TextReader> m_reader;
+    recognition::VisualMotion m_motion;
     localisation::SceneContext m_scene;
     std::optional<double> m_lastReading; ///< frame time
 };

@@ -125,6 +125,7 @@ int benchHops(const WalkBenchOptions& options, const Material& material) {
     std::clock_t processorStart = std::clock();
     std::vector<Hop> hops{{"1 read the picture", {}},
                           {"3 scene and sharpness", {}},
+                          {"2 turn and pace", {}},
                           {"2 trained landmarks", {}},
                           {"2 doors", {}},
                           {"2 boards, in frames that are read", {}},
@@ -144,14 +145,15 @@ int benchHops(const WalkBenchOptions& options, const Material& material) {
         times.navigateMs = millisecondsSince(navigating);
         hops[0].ms.push_back(readMs);
         hops[1].ms.push_back(times.sceneMs);
-        hops[2].ms.push_back(times.landmarksMs);
-        hops[3].ms.push_back(times.doorsMs);
+        hops[2].ms.push_back(times.motionMs);
+        hops[3].ms.push_back(times.landmarksMs);
+        hops[4].ms.push_back(times.doorsMs);
         if (times.textMs > 0.0) {
-            hops[4].ms.push_back(times.rectanglesMs);
-            hops[5].ms.push_back(times.textMs);
+            hops[5].ms.push_back(times.rectanglesMs);
+            hops[6].ms.push_back(times.textMs);
         }
-        hops[6].ms.push_back(times.navigateMs);
-        hops[7].ms.push_back(millisecondsSince(start));
+        hops[7].ms.push_back(times.navigateMs);
+        hops[8].ms.push_back(millisecondsSince(start));
     }
     std::printf("Milliseconds a frame, one thread, %zu pictures of `%s`, %d time(s):\n\n", hops[0].ms.size(),
                 options.frames.c_str(), material.laps);

@@ -268,6 +268,8 @@ TEST(PerceptJson, KeepsEveryDigit) {
             EXPECT_EQ(back->detections[i].text, percept.detections[i].text);
         }
         EXPECT_EQ(back->motion.turn, percept.motion.turn);
+        EXPECT_EQ(back->motion.walking, percept.motion.walking);
+        EXPECT_EQ(back->motion.stepsPerSecond, percept.motion.stepsPerSecond);
         EXPECT_EQ(back->rejections.size(), percept.rejections.size());
     }
 }

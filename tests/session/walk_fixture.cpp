@@ -100,7 +100,7 @@ std::vector<session::Percept> walkThroughTheRooms() {
         if (i == 4)
             percept.rejections.push_back(
                 {"landmarks", Kind::Poster, TemplateId("poster"), Quad{}, "few_inliers", 3.0});
-        if (i == 5) percept.motion = {Radians{0.1 / 3.0}, 0.7};
+        if (i == 5) percept.motion = {Radians{0.1 / 3.0}, 0.7, true, 1.8};
         walk.push_back(std::move(percept));
     }
     return walk;

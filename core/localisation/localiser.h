@@ -2,6 +2,7 @@
 // Where the user is, and how sure that is.
 
 #include "core/building/building.h"
+#include "core/building/info.h"
 #include "core/localisation/observation.h"
 
 #include <deque>
@@ -37,6 +38,7 @@ struct Fix {
     /// The way the user faces: the camera's own where a trained place was recognised, else the way of walking
     /// from the last two positions.
     std::optional<Radians> heading;
+    Radians headingSigma; ///< standard deviation of `heading`; 0 when there is none, or it is not known
     std::vector<RegionVote> votes; ///< highest first, zero votes left out
     LandmarkId landmark;           ///< what `position` rests on
     std::string note; ///< why there is no region, or why it is doubtful; for people who supervise
@@ -48,6 +50,7 @@ struct RouteContext {
     std::vector<RegionId> regions;    ///< in walking order from the current one
     std::optional<Point2> nextAccess; ///< where the user is expected to head (paper: the displacement)
     double level = 0.0;
+    std::optional<building::Location> destination; ///< told by the user, also while no route is known
 };
 
 /// Deterministic: the same calls give the same fixes. One thread.

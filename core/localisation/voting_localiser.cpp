@@ -338,23 +338,8 @@ Result<void> VotingOptions::check() const {
 }
 
 std::unique_ptr<Localiser> makeVotingLocaliser(std::shared_ptr<const building::Building> building,
-                                               VotingOptions options) {
-    return std::make_unique<VotingLocaliser>(std::move(building), options, "voting");
-}
-
-std::vector<std::string> localiserNames() {
-    return {"voting", "voting-literal"};
-}
-
-Result<std::unique_ptr<Localiser>> makeLocaliser(const std::string& name,
-                                                 std::shared_ptr<const building::Building> building) {
-    if (name == "voting" || name == "voting-literal") {
-        VotingOptions options = name == "voting" ? VotingOptions::repaired() : VotingOptions::literal();
-        return std::unique_ptr<Localiser>(
-            std::make_unique<VotingLocaliser>(std::move(building), options, name));
-    }
-    return Error{ErrorCode::InvalidArgument,
-                 "there is no localiser of this name; there are voting and voting-literal", name};
+                                               VotingOptions options, std::string name) {
+    return std::make_unique<VotingLocaliser>(std::move(building), options, std::move(name));
 }
 
 } // namespace farol::localisation

@@ -62,11 +62,7 @@ struct VotingOptions {
 /// the winner it stays below `genericConfidence`. A region that is only kept because it ties with others has
 /// at least half of what it had before. It is not calibrated: it orders fixes, no more.
 std::unique_ptr<Localiser> makeVotingLocaliser(std::shared_ptr<const building::Building> building,
-                                               VotingOptions options = VotingOptions::repaired());
-
-/// Known names for --localiser: "voting", "voting-literal". InvalidArgument names them for any other.
-Result<std::unique_ptr<Localiser>> makeLocaliser(const std::string& name,
-                                                 std::shared_ptr<const building::Building> building);
-std::vector<std::string> localiserNames();
+                                               VotingOptions options = VotingOptions::repaired(),
+                                               std::string name = "voting");
 
 } // namespace farol::localisation

@@ -84,7 +84,9 @@ NavigationStep Navigator::advance(Percept percept) {
     step.fresh = m_history.add(observationsOf(percept));
     step.history = m_history.items();
     if (percept.motion.turn || percept.motion.speed) m_localiser->moved(percept.time, percept.motion);
-    m_localiser->setRoute(m_tracker.context());
+    localisation::RouteContext context = m_tracker.context();
+    context.destination = m_tracker.destination();
+    m_localiser->setRoute(context);
     step.fix = m_localiser->update(percept.time, step.fresh, step.history);
     step.progress = m_tracker.update(step.fix);
     step.cues = m_scheduler.update(percept.frame, step.fix, step.progress, step.fresh);

@@ -4,8 +4,8 @@
 
 #include "core/guidance/cue_scheduler.h"
 #include "core/guidance/route_tracker.h"
+#include "core/localisation/localisers.h"
 #include "core/localisation/navigation_history.h"
-#include "core/localisation/voting_localiser.h"
 #include "core/session/percept.h"
 
 #include <memory>

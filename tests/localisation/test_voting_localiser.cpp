@@ -1,5 +1,6 @@
 // Where the user is said to be, and how sure: what the votes are made into.
 
+#include "core/localisation/localisers.h"
 #include "tests/localisation/walk.h"
 #include "tests/support/ascii_map.h"
 

@@ -1,0 +1,22 @@
+#include "core/localisation/localisers.h"
+
+#include "core/localisation/bayes_localiser.h"
+#include "core/localisation/voting_localiser.h"
+
+namespace farol::localisation {
+
+std::vector<std::string> localiserNames() {
+    return {"voting", "voting-literal", "bayes"};
+}
+
+Result<std::unique_ptr<Localiser>> makeLocaliser(const std::string& name,
+                                                 std::shared_ptr<const building::Building> building) {
+    if (name == "bayes") return makeBayesLocaliser(std::move(building));
+    if (name == "voting") return makeVotingLocaliser(std::move(building));
+    if (name == "voting-literal")
+        return makeVotingLocaliser(std::move(building), VotingOptions::literal(), name);
+    return Error{ErrorCode::InvalidArgument,
+                 "there is no localiser of this name; there are voting, voting-literal and bayes", name};
+}
+
+} // namespace farol::localisation

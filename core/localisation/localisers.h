@@ -1,0 +1,18 @@
+#pragma once
+// The localisers by name, for --localiser and settings.
+
+#include "core/base/error.h"
+#include "core/localisation/localiser.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace farol::localisation {
+
+/// "voting", "voting-literal", "bayes". InvalidArgument names them for any other.
+Result<std::unique_ptr<Localiser>> makeLocaliser(const std::string& name,
+                                                 std::shared_ptr<const building::Building> building);
+std::vector<std::string> localiserNames();
+
+} // namespace farol::localisation

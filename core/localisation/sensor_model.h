@@ -1,0 +1,146 @@
+#pragma once
+// How likely a detection is from a pose: which landmarks can be seen from there, how they are confused,
+// misread and misjudged in range, and how often something is detected that the map does not know.
+
+#include "core/base/error.h"
+#include "core/localisation/walking_map.h"
+#include "core/recognition/detection.h"
+
+#include <array>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace farol::localisation {
+
+inline constexpr std::size_t kKindCount = static_cast<std::size_t>(Kind::Other) + 1;
+
+/// Probabilities and rates of the sensors, fitted on walks of buildings of our own (tests/bench/README.md).
+struct SensorOptions {
+    double detectionsPerSecond = 0.35; ///< of one landmark in full view
+    double falsePerSecond = 0.0168;    ///< of things that the map does not hold
+    double sameKind = 0.94;            ///< a landmark is reported as what it is
+    double mappedFalseText = 0.15;     ///< share of false texts that stand elsewhere in the map
+    double textRead = 0.72, textOneOff = 0.2, textTwoOff = 0.03;
+    double positionSigmaM = 0.45;  ///< of where the walker is beside the straight line
+    double bearingSigmaDeg = 4.0;
+    double zoneSigmaDeg = 7.0;     ///< when the bearing is guessed from the place in the picture
+    double placeSigmaM = 1.5, placeSigmaDeg = 30.0; ///< from where a trained place is recognised
+    double otherTemplate = 0.02;   ///< a landmark is taken for one of another template of its kind
+
+    Result<void> check() const;
+};
+
+/// A detection made ready: factors that do not depend on the pose.
+struct Look {
+    Kind kind = Kind::Other;
+    std::array<float, kKindCount> kindFactor{}; ///< detections per second of a landmark of that kind
+    std::vector<float> textFactor;              ///< of each distinct text of the map; empty: not a text
+    std::int32_t templateIndex = -1;            ///< -1: none, or one that the map does not hold
+    bool hasTemplate = false;
+    float logRange = 0.0F; ///< natural logarithm of metres
+    bool hasRange = false;
+    float rangeVariance = 0.0F;
+    float bearingDeg = 0.0F;
+    bool hasBearing = false;
+    float bearingVariance = 0.0F;
+    float inverseFalse = 0.0F; ///< 1 / likelihood of a false detection like this
+    std::vector<double> groupSums; ///< running sum of the groups drawn from: kinds, then texts; or items
+    double uniformRatio = 0.0;     ///< likelihood ratio against a false detection, averaged over the whole map
+};
+
+/// Where the camera looks, in degrees; `unknownShare`: how likely it looks anywhere at all.
+struct Gaze {
+    float yawDeg = 0.0F;
+    float variance = 0.0F;
+    float unknownShare = 0.0F;
+};
+
+/// A pose from which a detection could have been made.
+struct BirthPose {
+    std::uint32_t region = 0;
+    Spot at;
+    float yawDeg = 0.0F;
+};
+
+class SensorModel {
+public:
+    SensorModel(std::shared_ptr<const WalkingMap> map, const SensorOptions& options);
+
+    Look prepare(const recognition::Detection& detection) const;
+    /// Likelihood of the mapped landmarks against a false detection; 0: no landmark explains it.
+    float ratio(const Look& look, std::uint32_t region, Spot at, const Gaze& gaze) const;
+    /// Detections per second to be expected there.
+    float expectedRate(std::uint32_t region, Spot at, const Gaze& gaze) const;
+    /// A pose drawn in proportion to ratio(); `next` gives numbers from 0 to 1. Empty when no place was found.
+    template <class Next>
+    std::optional<BirthPose> drawPose(const Look& look, Next&& next) const;
+
+private:
+    struct Item { ///< a landmark
+        Spot at;
+        float nx = 0.0F, ny = 0.0F; ///< the way it faces; (0, 0): any
+        std::uint32_t region = 0;
+        std::int32_t text = -1, templateIndex = -1;
+        std::uint8_t kind = 0;
+        float share = 0.0F; ///< of all walking from where it is in view
+    };
+    struct View { ///< a landmark as seen from a region
+        float along = 0.0F;
+        std::uint32_t item = 0;
+        std::int32_t opening = -1; ///< through which it is seen
+    };
+    struct Gap {
+        Spot a, b;
+    };
+    struct Geometry {
+        float range = 0.0F, dx = 0.0F, dy = 0.0F, visible = 0.0F;
+    };
+
+    void addLandmarks();
+    void addViews();
+    bool geometryOf(const Item& item, const View& view, Spot at, Geometry& geometry) const;
+    float factorOf(const Look& look, const Item& item) const;
+    float placeRatio(const Look& look, const Item& item, Spot at, const Gaze& gaze, float factor) const;
+    float likelihoodOf(const Look& look, const Geometry& geometry, const Gaze& gaze) const;
+    std::span<const View> viewsNear(std::uint32_t region, Spot at) const;
+    void readText(const recognition::Detection& detection, Look& look, double& falseFactor) const;
+    void weighUniform(Look& look) const;
+    std::uint32_t drawItem(const Look& look, double u, double v) const;
+    BirthPose poseAt(const Item& item, const Look& look, double u, double v, double w) const;
+
+    std::shared_ptr<const WalkingMap> m_map;
+    SensorOptions m_options;
+    std::vector<Item> m_items;
+    std::vector<View> m_views;
+    std::vector<std::uint32_t> m_firstView;
+    std::vector<char> m_alongY; ///< of each region: sorted by y, else by x
+    std::vector<Gap> m_gaps;
+    std::vector<std::string> m_texts;
+    std::vector<std::vector<std::uint32_t>> m_itemsOfText;
+    std::vector<float> m_shareOfText;
+    std::map<std::string, std::int32_t> m_templates;
+    std::array<std::vector<std::uint32_t>, kKindCount> m_itemsOfKind;
+    std::array<std::vector<float>, kKindCount> m_sharesUpTo;
+};
+
+template <class Next>
+std::optional<BirthPose> SensorModel::drawPose(const Look& look, Next&& next) const {
+    if (look.uniformRatio <= 0.0) return std::nullopt;
+    double u = next(), v = next();
+    std::uint32_t index = drawItem(look, u, v);
+    if (index >= m_items.size()) return std::nullopt;
+    const Item& item = m_items[index];
+    constexpr int kTries = 6;
+    for (int i = 0; i < kTries; ++i) {
+        double a = next(), b = next(), c = next();
+        BirthPose pose = poseAt(item, look, a, b, c);
+        if (m_map->inside(pose.region, pose.at)) return pose;
+    }
+    return std::nullopt;
+}
+
+/// Edit distance of two texts, 3 for all above 2; bytes, as texts are folded.
+int shortEditDistance(std::string_view a, std::string_view b);
+
+} // namespace farol::localisation

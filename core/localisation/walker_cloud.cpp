@@ -1,0 +1,387 @@
+#include "core/localisation/walker_cloud.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace farol::localisation {
+
+namespace {
+
+constexpr float kRadToDeg = 57.29578F;
+constexpr float kYawUnknown = 8000.0F; // square degrees: as good as no idea
+constexpr double kStandsBelow = 0.2;   // of the usual pace
+constexpr float kGraceS = 1.2F;
+
+float directionDeg(Spot from, Spot to) {
+    return std::atan2(to.y - from.y, to.x - from.x) * kRadToDeg;
+}
+
+std::size_t walkersFor(std::size_t regions) {
+    return std::clamp<std::size_t>(1500 + 12 * regions, 2000, 5000);
+}
+
+} // namespace
+
+float wrappedDeg(float degrees) {
+    while (degrees > 180.0F) degrees -= 360.0F;
+    while (degrees <= -180.0F) degrees += 360.0F;
+    return degrees;
+}
+
+WalkerCloud::WalkerCloud(std::shared_ptr<WalkingMap> map, const BayesOptions& options)
+    : m_map(std::move(map)),
+      m_options(options),
+      m_random(options.seed),
+      m_capacity(options.walkers > 0 ? options.walkers : walkersFor(m_map->building().regions().size())) {
+    clear(options.seed);
+}
+
+void WalkerCloud::clear(std::uint64_t seed) {
+    m_walkers.clear();
+    m_random = Random(seed);
+    m_speed = m_options.walking.speed;
+    m_speedSpread = m_options.walking.speedSpread;
+    m_motionKnown = false;
+}
+
+float WalkerCloud::drawSpeed() {
+    double speed = m_speed + m_speedSpread * double(m_random.normal());
+    return static_cast<float>(std::clamp(speed, m_options.walking.slowest, m_options.walking.fastest));
+}
+
+void WalkerCloud::spread(std::size_t count, double weight, std::optional<std::uint32_t> region) {
+    if (count == 0) return;
+    double offset = m_random.uniformDouble();
+    for (std::size_t i = 0; i < count; ++i) {
+        Walker walker;
+        // Evenly over the map, not at random: no region is forgotten by chance.
+        double share = (static_cast<double>(i) + offset) / static_cast<double>(count);
+        walker.region = region ? *region : m_map->regionAtShare(share);
+        float u = m_random.uniform(), v = m_random.uniform();
+        walker.at = m_map->spotIn(walker.region, u, v);
+        walker.speed = drawSpeed();
+        walker.follows = double(m_random.uniform()) < m_options.walking.followShare;
+        walker.stands = m_random.uniform() < 0.4F;
+        walker.weight = static_cast<float>(weight / static_cast<double>(count));
+        choose(walker, -1);
+        walker.yawDeg = walker.headingDeg;
+        m_walkers.push_back(walker);
+    }
+}
+
+Walker WalkerCloud::born(const BirthPose& pose, float weight) {
+    Walker walker;
+    walker.region = pose.region;
+    walker.at = pose.at;
+    walker.speed = drawSpeed();
+    walker.weight = weight;
+    walker.follows = m_random.uniform() < 0.6F;
+    constexpr int kTries = 3; // somewhere the camera looks to, if there is such a way
+    for (int i = 0; i < kTries; ++i) {
+        choose(walker, -1);
+        if (std::abs(wrappedDeg(walker.headingDeg - pose.yawDeg)) < 60.0F) break;
+        walker.follows = walker.follows && m_random.uniform() < 0.5F;
+    }
+    walker.yawDeg = pose.yawDeg;
+    walker.yawVariance = 100.0F;
+    return walker;
+}
+
+void WalkerCloud::reconsider() {
+    for (Walker& walker : m_walkers) {
+        walker.follows = double(m_random.uniform()) < m_options.walking.followShare;
+        if (walker.climbTo < 0) choose(walker, -1);
+    }
+}
+
+void WalkerCloud::headFor(Walker& walker, std::int32_t node, Spot target) {
+    walker.node = node;
+    walker.target = target;
+    if (gapBetween(walker.at, target) < 0.05F) return;
+    float heading = directionDeg(walker.at, target);
+    if (std::abs(wrappedDeg(heading - walker.headingDeg)) > 25.0F) walker.graceS = kGraceS;
+    walker.headingDeg = heading;
+}
+
+void WalkerCloud::choose(Walker& walker, std::int32_t from) {
+    if (m_map->hasGoal() && walker.follows) {
+        double stray = from >= 0 ? m_options.walking.strayAtNode : 0.0;
+        if (double(m_random.uniform()) < stray)
+            walker.follows = false;
+        else
+            return chooseWay(walker);
+    }
+    wander(walker, from);
+}
+
+void WalkerCloud::chooseWay(Walker& walker) {
+    constexpr float kDoubtM = 0.6F; // people do not measure
+    if (walker.region == m_map->goalRegion() && m_map->straight(walker.region, walker.at, m_map->goalSpot()))
+        return headFor(walker, Walker::kToSpot, m_map->goalSpot());
+    std::int32_t best = -1;
+    float least = WalkingMap::kUnreachable;
+    bool bent = m_map->bent(walker.region);
+    for (std::uint32_t n : m_map->nodesOf(walker.region)) {
+        const WalkingNode& node = m_map->nodes()[n];
+        float gap = gapBetween(walker.at, node.at);
+        if (node.across < 0 && gap < 0.05F) continue; // the corner one stands at
+        float cost = m_map->toGoal(n) + gap + kDoubtM * m_random.uniform();
+        if (cost >= least || (bent && !m_map->straight(walker.region, walker.at, node.at))) continue;
+        least = cost;
+        best = static_cast<std::int32_t>(n);
+    }
+    if (best < 0) {
+        walker.follows = false;
+        return wander(walker, -1);
+    }
+    const WalkingNode& node = m_map->nodes()[static_cast<std::size_t>(best)];
+    float beside = node.halfWidthM * 0.5F * (2.0F * m_random.uniform() - 1.0F);
+    headFor(walker, best, {node.at.x + beside * node.along.x, node.at.y + beside * node.along.y});
+}
+
+void WalkerCloud::wander(Walker& walker, std::int32_t from) {
+    auto nodes = m_map->nodesOf(walker.region);
+    bool bent = m_map->bent(walker.region);
+    m_weights.assign(nodes.size() + 1, 0.0F);
+    float sum = 0.0F;
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        const WalkingNode& node = m_map->nodes()[nodes[i]];
+        float gap = gapBetween(walker.at, node.at);
+        if (gap < 0.05F && node.across < 0) continue;
+        if (bent && !m_map->straight(walker.region, walker.at, node.at)) continue;
+        float turn = wrappedDeg(directionDeg(walker.at, node.at) - walker.headingDeg) / kRadToDeg;
+        float weight = std::exp(1.2F * (std::cos(turn) - 1.0F)) / (1.0F + 0.1F * gap);
+        if (static_cast<std::int32_t>(nodes[i]) == from) weight = 0.06F; // straight back through the same door
+        m_weights[i] = weight;
+        sum += weight;
+    }
+    float inside = nodes.size() <= 1 || from < 0 ? 0.6F * std::max(sum, 0.1F) : 0.15F * sum;
+    m_weights.back() = inside + 1e-6F;
+    sum += m_weights.back();
+    float pick = m_random.uniform() * sum;
+    std::size_t chosen = 0;
+    while (chosen < nodes.size() && pick >= m_weights[chosen]) pick -= m_weights[chosen++];
+    if (chosen == nodes.size()) {
+        float u = m_random.uniform(), v = m_random.uniform();
+        return headFor(walker, Walker::kToSpot, m_map->spotIn(walker.region, u, v));
+    }
+    const WalkingNode& node = m_map->nodes()[nodes[chosen]];
+    float beside = node.halfWidthM * 0.5F * (2.0F * m_random.uniform() - 1.0F);
+    headFor(walker, static_cast<std::int32_t>(nodes[chosen]),
+            {node.at.x + beside * node.along.x, node.at.y + beside * node.along.y});
+}
+
+/// Straying is rare, but has to be represented: drawn oftener than it happens, and weighed down for it.
+void WalkerCloud::changeMind(Walker& walker, double seconds) {
+    constexpr double kOftener = 5.0;
+    const WalkingOptions& walking = m_options.walking;
+    if (!m_map->hasGoal() || walker.climbTo >= 0) return;
+    if (walker.follows) {
+        double strays = walking.strayRate * seconds;
+        if (m_random.uniformDouble() < kOftener * strays) {
+            walker.weight /= static_cast<float>(kOftener);
+            walker.follows = false;
+            choose(walker, -1);
+        } else {
+            walker.weight *= static_cast<float>((1.0 - strays) / (1.0 - kOftener * strays));
+        }
+    } else if (m_random.uniformDouble() < walking.returnRate * seconds) {
+        walker.follows = true;
+        choose(walker, -1);
+    }
+}
+
+void WalkerCloud::arrive(Walker& walker) {
+    if (walker.node < 0) {
+        if (walker.follows && walker.region == m_map->goalRegion()) {
+            walker.node = Walker::kResting;
+            return;
+        }
+        return choose(walker, -1);
+    }
+    const WalkingNode& node = m_map->nodes()[static_cast<std::size_t>(walker.node)];
+    if (node.across < 0) return choose(walker, walker.node);
+    const WalkingNode& beyond = m_map->nodes()[static_cast<std::size_t>(node.across)];
+    if (node.changesLevel) {
+        walker.climbTo = node.across;
+        walker.climbM = node.crossingM * (0.85F + 0.3F * m_random.uniform());
+        return;
+    }
+    walker.region = beyond.region;
+    walker.at = {walker.target.x + beyond.at.x - node.at.x, walker.target.y + beyond.at.y - node.at.y};
+    choose(walker, node.across);
+}
+
+void WalkerCloud::climb(Walker& walker, float metres) {
+    const WalkingNode& beyond = m_map->nodes()[static_cast<std::size_t>(walker.climbTo)];
+    walker.climbM -= metres;
+    if (walker.climbM < beyond.crossingM / 2.0F && walker.region != beyond.region) {
+        walker.region = beyond.region;
+        walker.at = beyond.at;
+    }
+    if (walker.climbM > 0.0F) return;
+    std::int32_t from = walker.climbTo;
+    walker.region = beyond.region;
+    walker.at = beyond.at;
+    walker.climbTo = -1;
+    walker.graceS = kGraceS;
+    choose(walker, from);
+}
+
+void WalkerCloud::walk(Walker& walker, float metres) {
+    constexpr int kMostLegs = 4;
+    for (int i = 0; i < kMostLegs && metres > 0.0F && walker.node != Walker::kResting; ++i) {
+        if (walker.climbTo >= 0) return climb(walker, metres);
+        float gap = gapBetween(walker.at, walker.target);
+        if (gap > metres) {
+            walker.at.x += (walker.target.x - walker.at.x) * metres / gap;
+            walker.at.y += (walker.target.y - walker.at.y) * metres / gap;
+            return;
+        }
+        metres -= gap;
+        walker.at = walker.target;
+        arrive(walker);
+    }
+}
+
+/// Standing for long is what people do in lifts (and, to the eye of the camera, on stairs) and at the goal,
+/// seldom in between.
+float WalkerCloud::standingWeight(Walker& walker, const MotionSpan& motion, bool moving) {
+    constexpr float kOnset = 0.15F, kStaysPerS = 0.8F, kMovesOnStairs = 0.35F;
+    bool mayStand = walker.climbTo >= 0 || walker.node == Walker::kResting;
+    auto seconds = static_cast<float>(motion.seconds);
+    if (moving) {
+        walker.stands = false;
+        return mayStand ? std::pow(kMovesOnStairs, seconds) : 1.0F;
+    }
+    float weight = 1.0F;
+    if (!mayStand) weight = walker.stands ? std::pow(kStaysPerS, seconds) : kOnset;
+    walker.stands = true;
+    return weight;
+}
+
+void WalkerCloud::turn(Walker& walker, const MotionSpan& motion, bool moving) {
+    const WalkingOptions& walking = m_options.walking;
+    auto seconds = static_cast<float>(motion.seconds);
+    walker.yawDeg = wrappedDeg(walker.yawDeg + motion.turnDeg);
+    walker.yawVariance += static_cast<float>(
+        motion.seconds * walking.turnSigmaDeg * walking.turnSigmaDeg +
+        motion.unseenSeconds * walking.unknownTurnSigmaDeg * walking.unknownTurnSigmaDeg);
+    walker.graceS = std::max(0.0F, walker.graceS - seconds);
+    auto sway = static_cast<float>(walking.swaySigmaDeg * walking.swaySigmaDeg);
+    if (walker.yawVariance > kYawUnknown) {
+        walker.yawDeg = wrappedDeg(walker.headingDeg + std::sqrt(sway) * m_random.normal());
+        walker.yawVariance = sway;
+        return;
+    }
+    if (!moving || walker.climbTo >= 0 || walker.graceS > 0.0F) return;
+    constexpr float kAnyShare = 0.06F, kSwayLasts = 4.0F;
+    float off = wrappedDeg(walker.headingDeg - walker.yawDeg), variance = walker.yawVariance + sway;
+    float density = std::exp(-0.5F * off * off / variance) * 143.62F / std::sqrt(variance); // times 360
+    float likelihood = kAnyShare + (1.0F - kAnyShare) * density;
+    walker.weight *= std::pow(likelihood, static_cast<float>(walking.headingTrust) * seconds);
+    if (std::abs(off) > 75.0F) return;
+    float gain = walker.yawVariance / (walker.yawVariance + sway * kSwayLasts / std::max(seconds, 0.05F));
+    walker.yawDeg = wrappedDeg(walker.yawDeg + gain * off);
+    walker.yawVariance *= 1.0F - gain;
+}
+
+void WalkerCloud::advance(const MotionSpan& motion, const SensorModel& sensors, double missTrust) {
+    const WalkingOptions& walking = m_options.walking;
+    m_motionKnown = motion.measured;
+    auto seconds = static_cast<float>(motion.seconds);
+    float starts = 1.0F - std::exp(-static_cast<float>(walking.goRate) * seconds);
+    float stops = 1.0F - std::exp(-static_cast<float>(walking.stopRate) * seconds);
+    for (Walker& walker : m_walkers) {
+        changeMind(walker, motion.seconds);
+        bool moving = motion.pace >= kStandsBelow;
+        if (!motion.measured) {
+            if (m_random.uniform() < (walker.stands ? starts : stops)) walker.stands = !walker.stands;
+            moving = !walker.stands;
+        }
+        float noise = 1.0F + static_cast<float>(walking.distanceSigma) * m_random.normal();
+        float metres = moving ? walker.speed * seconds * static_cast<float>(motion.pace) * std::max(0.0F, noise)
+                              : 0.0F;
+        if (motion.measured) {
+            walker.weight *= standingWeight(walker, motion, moving);
+            turn(walker, motion, moving);
+        }
+        if (walker.climbTo >= 0)
+            climb(walker, walker.speed * seconds * std::max(0.0F, noise));
+        else
+            walk(walker, metres);
+        float drift = 0.02F * std::sqrt(seconds) * m_random.normal();
+        walker.speed = std::clamp(walker.speed + drift, static_cast<float>(walking.slowest),
+                                  static_cast<float>(walking.fastest));
+        if (missTrust > 0.0) {
+            float missed = sensors.expectedRate(walker.region, walker.at, gazeOf(walker));
+            walker.weight *= std::exp(-static_cast<float>(missTrust) * missed * seconds);
+        }
+    }
+}
+
+Gaze WalkerCloud::gazeOf(const Walker& walker) const {
+    const WalkingOptions& walking = m_options.walking;
+    if (m_motionKnown && walker.yawVariance < kYawUnknown) {
+        constexpr float kAnyShare = 0.04F;
+        return {walker.yawDeg, walker.yawVariance, kAnyShare};
+    }
+    if (walker.climbTo >= 0) return {walker.headingDeg, 0.0F, 1.0F};
+    auto any = static_cast<float>(walker.stands ? walking.lookShareStanding : walking.lookShareGoing);
+    return {walker.headingDeg, static_cast<float>(walking.swaySigmaDeg * walking.swaySigmaDeg), any};
+}
+
+double WalkerCloud::totalWeight() const {
+    double sum = 0.0;
+    for (const Walker& walker : m_walkers) sum += double(walker.weight);
+    return sum;
+}
+
+void WalkerCloud::scale(double factor) {
+    for (Walker& walker : m_walkers) walker.weight = static_cast<float>(double(walker.weight) * factor);
+}
+
+double WalkerCloud::meanSpeed() const {
+    double sum = 0.0, total = 0.0;
+    for (const Walker& walker : m_walkers) {
+        sum += double(walker.weight) * double(walker.speed);
+        total += double(walker.weight);
+    }
+    return total > 0.0 ? sum / total : m_options.walking.speed;
+}
+
+/// The unlikely are drawn oftener than their weight asks for, and keep a smaller one: so the second best
+/// guess, needed when the first fails, is not forgotten.
+void WalkerCloud::renew() {
+    constexpr double kEvenness = 0.6, kEnough = 0.5;
+    double sum = 0.0, squares = 0.0;
+    for (const Walker& walker : m_walkers) {
+        sum += double(walker.weight);
+        squares += double(walker.weight) * double(walker.weight);
+    }
+    if (!(sum > 0.0)) return;
+    bool crowded = m_walkers.size() > m_capacity + m_capacity / 4;
+    if (!crowded && sum * sum / squares > kEnough * static_cast<double>(m_walkers.size())) return;
+    m_sums.resize(m_walkers.size());
+    double total = 0.0;
+    for (std::size_t i = 0; i < m_walkers.size(); ++i) {
+        total += std::pow(double(m_walkers[i].weight) / sum, kEvenness);
+        m_sums[i] = total;
+    }
+    m_next.clear();
+    double step = total / static_cast<double>(m_capacity), at = step * m_random.uniformDouble(), kept = 0.0;
+    for (std::size_t i = 0; i < m_walkers.size(); ++i) {
+        double each = m_sums[i] - (i > 0 ? m_sums[i - 1] : 0.0);
+        for (; at < m_sums[i]; at += step) {
+            m_next.push_back(m_walkers[i]);
+            // Drawn each/step times in the mean; together they keep the weight they had.
+            m_next.back().weight = static_cast<float>(double(m_walkers[i].weight) * step / each);
+            kept += double(m_next.back().weight);
+        }
+    }
+    m_walkers.swap(m_next);
+    if (kept > 0.0) scale(sum / kept);
+    m_speed = meanSpeed();
+}
+
+} // namespace farol::localisation

@@ -1,0 +1,88 @@
+#pragma once
+// The walkers of the filter: how they move, choose their way, are weighed and drawn anew.
+
+#include "core/localisation/bayes_localiser.h"
+#include "core/localisation/random.h"
+
+#include <vector>
+
+namespace farol::localisation {
+
+/// One guess of the user's whole state.
+struct Walker {
+    static constexpr std::int32_t kToSpot = -1, kResting = -2;
+
+    Spot at, target;
+    std::uint32_t region = 0;
+    std::int32_t node = kToSpot; ///< walked to; or kToSpot, kResting
+    std::int32_t climbTo = -1;   ///< the node beyond stairs or a lift while on them
+    float climbM = 0.0F;         ///< still to climb
+    float speed = 0.75F;
+    float headingDeg = 0.0F; ///< of walking
+    float yawDeg = 0.0F, yawVariance = 1e6F; ///< of the camera
+    float graceS = 0.0F; ///< still turning to the new heading
+    float weight = 0.0F;
+    bool follows = false;
+    bool stands = false;
+};
+
+/// What is known of the motion of a span of time.
+struct MotionSpan {
+    double seconds = 0.0;
+    bool measured = false;           ///< the picture told at least the speed
+    double pace = 1.0;               ///< times the walker's own speed
+    float turnDeg = 0.0F;            ///< of the camera
+    double unseenSeconds = 0.0;      ///< of which the turn is not known
+};
+
+class WalkerCloud {
+public:
+    WalkerCloud(std::shared_ptr<WalkingMap> map, const BayesOptions& options);
+
+    std::vector<Walker>& walkers() { return m_walkers; }
+    const std::vector<Walker>& walkers() const { return m_walkers; }
+    Random& random() { return m_random; }
+    void clear(std::uint64_t seed);
+    std::size_t capacity() const { return m_capacity; }
+
+    /// Walkers all over the map (`region` empty) or in a region, together of that weight.
+    void spread(std::size_t count, double weight, std::optional<std::uint32_t> region);
+    /// A walker at a pose, heading about where the camera looks.
+    Walker born(const BirthPose& pose, float weight);
+    /// Every walker thinks anew about the way: a goal was set or taken away.
+    void reconsider();
+    void advance(const MotionSpan& motion, const SensorModel& sensors, double missTrust);
+    Gaze gazeOf(const Walker& walker) const;
+    double totalWeight() const;
+    void scale(double factor);
+    /// Draws `capacity` walkers when too few carry the weight.
+    void renew();
+    double meanSpeed() const;
+
+private:
+    void choose(Walker& walker, std::int32_t from);
+    void chooseWay(Walker& walker);
+    void wander(Walker& walker, std::int32_t from);
+    void headFor(Walker& walker, std::int32_t node, Spot target);
+    void changeMind(Walker& walker, double seconds);
+    void walk(Walker& walker, float metres);
+    void arrive(Walker& walker);
+    void climb(Walker& walker, float metres);
+    void turn(Walker& walker, const MotionSpan& motion, bool moving);
+    float standingWeight(Walker& walker, const MotionSpan& motion, bool moving);
+    float drawSpeed();
+
+    std::shared_ptr<WalkingMap> m_map;
+    BayesOptions m_options;
+    Random m_random;
+    std::size_t m_capacity;
+    std::vector<Walker> m_walkers, m_next;
+    std::vector<float> m_weights; ///< scratch of wander()
+    std::vector<double> m_sums;   ///< scratch of renew()
+    double m_speed = 0.0, m_speedSpread = 0.0; ///< of walkers yet to come: what is known of this user
+    bool m_motionKnown = false;
+};
+
+float wrappedDeg(float degrees);
+
+} // namespace farol::localisation

@@ -1,0 +1,268 @@
+#include "core/localisation/walking_map.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <queue>
+#include <utility>
+
+namespace farol::localisation {
+
+using building::Access;
+using building::AccessKind;
+using building::Region;
+using building::RegionKind;
+
+namespace {
+
+constexpr double kStairsM = 12.0, kLiftM = 14.0; // walking that takes as long as one level does
+constexpr double kCornerClearanceM = 0.35;       // people do not walk along the very wall
+constexpr double kConvexShare = 0.93;            // of the convex hull: alcoves do not bend a region
+constexpr std::size_t kMostCorners = 60;
+
+double crossAt(Point2 o, Point2 a, Point2 b) {
+    return cross(a - o, b - o);
+}
+
+double hullArea(Ring points) {
+    if (points.size() < 3) return 0.0;
+    std::sort(points.begin(), points.end(),
+              [](Point2 a, Point2 b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
+    Ring hull(2 * points.size());
+    std::size_t k = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        while (k >= 2 && crossAt(hull[k - 2], hull[k - 1], points[i]) <= 0) --k;
+        hull[k++] = points[i];
+    }
+    std::size_t lower = k + 1;
+    for (std::size_t i = points.size() - 1; i-- > 0;) {
+        while (k >= lower && crossAt(hull[k - 2], hull[k - 1], points[i]) <= 0) --k;
+        hull[k++] = points[i];
+    }
+    hull.resize(k > 0 ? k - 1 : 0);
+    return std::abs(signedArea(hull));
+}
+
+bool meetsRing(const Ring& ring, Point2 a, Point2 b) {
+    for (std::size_t i = 0; i < ring.size(); ++i)
+        if (segmentsCross(a, b, ring[i], ring[(i + 1) % ring.size()])) return true;
+    return false;
+}
+
+double lengthOfCrossing(const Access& access) {
+    if (access.kind == AccessKind::Stairs || access.kind == AccessKind::Escalator) return kStairsM;
+    return access.kind == AccessKind::Elevator ? kLiftM : 0.0;
+}
+
+/// Where one stands when passing: the access itself, unless it lies far off the region (stairs whose ends are
+/// drawn apart).
+Point2 standingIn(const Region& region, Point2 at) {
+    constexpr double kFarM = 3.0;
+    return distanceToPolygon(region.polygon, at) > kFarM ? pointInside(region.polygon) : at;
+}
+
+} // namespace
+
+float gapBetween(Spot a, Spot b) {
+    float dx = a.x - b.x, dy = a.y - b.y;
+    return std::sqrt(dx * dx + dy * dy);
+}
+
+WalkingMap::WalkingMap(std::shared_ptr<const building::Building> building)
+    : m_building(std::move(building)) {
+    for (const Region& region : m_building->regions()) {
+        if (auto box = boundingBox(region.polygon.outer); box && isFinite(box->low)) {
+            m_origin = box->low;
+            break;
+        }
+    }
+    measureRegions();
+    m_nodes.reserve(2 * m_building->accesses().size());
+    for (const Access& access : m_building->accesses()) {
+        auto a = m_building->regionIndex(access.regionA), b = m_building->regionIndex(access.regionB);
+        if (!access.passable() || !a || !b || *a == *b || access.line.empty()) continue;
+        if (isFinite(access.midpoint()))
+            addAccess(access, static_cast<std::uint32_t>(*a), static_cast<std::uint32_t>(*b));
+    }
+    for (std::uint32_t r = 0; r < m_bent.size(); ++r)
+        if (m_bent[r] != 0) addCorners(r);
+    indexNodes();
+}
+
+void WalkingMap::measureRegions() {
+    constexpr double kCorridorWidthM = 3.6, kStepM = 1.0, kRoomStepM = 2.2;
+    const auto& regions = m_building->regions();
+    m_bent.assign(regions.size(), 0);
+    m_middles.resize(regions.size());
+    m_weightsUpTo.resize(regions.size());
+    double total = 0.0;
+    for (std::size_t r = 0; r < regions.size(); ++r) {
+        const Region& region = regions[r];
+        auto box = boundingBox(region.polygon.outer);
+        if (box && isFinite(box->low) && isFinite(box->high) && region.polygon.outer.size() >= 3) {
+            m_middles[r] = local(pointInside(region.polygon));
+            double size = area(region.polygon), hull = hullArea(region.polygon.outer);
+            m_bent[r] = size < kConvexShare * hull ? 1 : 0;
+            double half = length(region.polygon.outer) / 2.0;
+            // Of a rectangle a x b, from a + b and a b.
+            double root = std::sqrt(std::max(0.0, half * half - 4.0 * size));
+            double width = std::max(0.1, (half - root) / 2.0), run = (half + root) / 2.0;
+            bool lane = region.kind != RegionKind::Room && width <= kCorridorWidthM;
+            total += lane ? std::max(1.0, run / kStepM)
+                          : std::max(1.0, std::ceil(width / kRoomStepM) * std::ceil(run / kRoomStepM));
+        }
+        m_weightsUpTo[r] = total;
+    }
+}
+
+void WalkingMap::addAccess(const Access& access, std::uint32_t a, std::uint32_t b) {
+    const auto& regions = m_building->regions();
+    Point2 at = access.midpoint();
+    WalkingNode one, two;
+    one.at = local(standingIn(regions[a], at));
+    two.at = local(standingIn(regions[b], at));
+    one.region = a;
+    two.region = b;
+    auto first = static_cast<std::int32_t>(m_nodes.size());
+    if (access.oneWay != building::OneWay::BToA) one.across = first + 1;
+    if (access.oneWay != building::OneWay::AToB) two.across = first;
+    one.changesLevel = two.changesLevel = access.changesLevel();
+    one.crossingM = two.crossingM = static_cast<float>(lengthOfCrossing(access));
+    Point2 ends = access.line.back() - access.line.front();
+    if (double wide = length(ends); wide > 1.2 && !access.changesLevel()) {
+        one.along = {float(ends.x / wide), float(ends.y / wide)};
+        one.halfWidthM = float(std::min(1.5, wide / 2.0 - 0.4));
+        two.along = one.along;
+        two.halfWidthM = one.halfWidthM;
+    }
+    m_nodes.push_back(one);
+    m_nodes.push_back(two);
+}
+
+/// Corners that stand into the region, a little away from the wall.
+void WalkingMap::addCorners(std::uint32_t region) {
+    const Polygon& polygon = m_building->regions()[region].polygon;
+    std::size_t count = 0;
+    auto ofRing = [&](const Ring& ring, bool outer) {
+        bool left = (signedArea(ring) > 0) == outer; // free space to the left of the edges?
+        for (std::size_t i = 0; i < ring.size() && count < kMostCorners; ++i) {
+            Point2 before = ring[(i + ring.size() - 1) % ring.size()], at = ring[i],
+                   after = ring[(i + 1) % ring.size()];
+            Point2 in = at - before, out = after - at;
+            double li = length(in), lo = length(out);
+            constexpr double kNotchM = 0.6;
+            if (li < kNotchM || lo < kNotchM) continue;
+            double turn = cross(in, out) / (li * lo) * (left ? 1.0 : -1.0);
+            if (turn > -0.2) continue;
+            Point2 away = in * (1.0 / li) - out * (1.0 / lo);
+            double size = length(away);
+            if (size < 1e-6) continue;
+            Point2 spot = at + away * (kCornerClearanceM / size);
+            if (!contains(polygon, spot)) continue;
+            WalkingNode node;
+            node.at = local(spot);
+            node.region = region;
+            m_nodes.push_back(node);
+            ++count;
+        }
+    };
+    ofRing(polygon.outer, true);
+    for (const Ring& hole : polygon.holes) ofRing(hole, false);
+}
+
+void WalkingMap::indexNodes() {
+    std::size_t count = m_building->regions().size();
+    m_firstNode.assign(count + 1, 0);
+    for (const WalkingNode& node : m_nodes) ++m_firstNode[node.region + 1];
+    for (std::size_t r = 0; r < count; ++r) m_firstNode[r + 1] += m_firstNode[r];
+    m_nodeOfRegion.resize(m_nodes.size());
+    std::vector<std::uint32_t> next(m_firstNode.begin(), m_firstNode.end() - 1);
+    for (std::uint32_t n = 0; n < m_nodes.size(); ++n) m_nodeOfRegion[next[m_nodes[n].region]++] = n;
+}
+
+Spot WalkingMap::local(Point2 p) const {
+    return {static_cast<float>(p.x - m_origin.x), static_cast<float>(p.y - m_origin.y)};
+}
+
+std::span<const std::uint32_t> WalkingMap::nodesOf(std::uint32_t region) const {
+    return std::span(m_nodeOfRegion).subspan(m_firstNode[region], m_firstNode[region + 1] - m_firstNode[region]);
+}
+
+bool WalkingMap::straight(std::uint32_t region, Spot a, Spot b) const {
+    if (m_bent[region] == 0) return true;
+    const Polygon& polygon = m_building->regions()[region].polygon;
+    Point2 from = global(a), to = global(b);
+    // Ends on the wall itself (doors) must not count as crossing it.
+    Point2 p = from + (to - from) * 0.02, q = from + (to - from) * 0.98;
+    if (meetsRing(polygon.outer, p, q)) return false;
+    for (const Ring& hole : polygon.holes)
+        if (meetsRing(hole, p, q)) return false;
+    return contains(polygon, (p + q) * 0.5);
+}
+
+bool WalkingMap::inside(std::uint32_t region, Spot s) const {
+    return contains(m_building->regions()[region].polygon, global(s));
+}
+
+Spot WalkingMap::spotIn(std::uint32_t region, float u, float v) const {
+    auto box = boundingBox(m_building->regions()[region].polygon.outer);
+    if (!box) return m_middles[region];
+    Spot low = local(box->low), high = local(box->high);
+    Spot spot{low.x + u * (high.x - low.x), low.y + v * (high.y - low.y)};
+    // A turned or bent region fills a part of its box only: pull towards the middle until inside.
+    for (int i = 0; i < 5 && !inside(region, spot); ++i) {
+        spot.x += 0.35F * (m_middles[region].x - spot.x);
+        spot.y += 0.35F * (m_middles[region].y - spot.y);
+    }
+    return spot;
+}
+
+double WalkingMap::weightOf(std::uint32_t region) const {
+    return m_weightsUpTo[region] - (region > 0 ? m_weightsUpTo[region - 1] : 0.0);
+}
+
+std::uint32_t WalkingMap::regionAtShare(double u) const {
+    auto it = std::upper_bound(m_weightsUpTo.begin(), m_weightsUpTo.end(), u * totalWeight());
+    if (it == m_weightsUpTo.end()) --it;
+    return static_cast<std::uint32_t>(it - m_weightsUpTo.begin());
+}
+
+void WalkingMap::setGoal(std::uint32_t region, Spot spot) {
+    m_goalRegion = region;
+    m_goalSpot = spot;
+    m_toGoal.assign(m_nodes.size(), kUnreachable);
+    using Entry = std::pair<float, std::uint32_t>;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
+    auto offer = [&](std::uint32_t node, float cost) {
+        if (cost >= m_toGoal[node]) return;
+        m_toGoal[node] = cost;
+        open.emplace(cost, node);
+    };
+    for (std::uint32_t node : nodesOf(region))
+        if (straight(region, m_nodes[node].at, spot)) offer(node, gapBetween(m_nodes[node].at, spot));
+    if (open.empty())
+        for (std::uint32_t node : nodesOf(region)) offer(node, gapBetween(m_nodes[node].at, spot));
+    while (!open.empty()) {
+        auto [cost, n] = open.top();
+        open.pop();
+        if (cost > m_toGoal[n]) continue;
+        const WalkingNode& node = m_nodes[n];
+        for (std::uint32_t peer : nodesOf(node.region)) {
+            float next = cost + gapBetween(node.at, m_nodes[peer].at);
+            if (next < m_toGoal[peer] && straight(node.region, m_nodes[peer].at, node.at)) offer(peer, next);
+        }
+        // The way out of the other side leads here.
+        auto twin = static_cast<std::uint32_t>(n ^ 1U);
+        if (n < 2 * (m_nodes.size() / 2) && twin < m_nodes.size() &&
+            m_nodes[twin].across == static_cast<std::int32_t>(n))
+            offer(twin, cost + m_nodes[twin].crossingM);
+    }
+}
+
+void WalkingMap::clearGoal() {
+    m_goalRegion = kNoRegion;
+    m_toGoal.clear();
+    m_toGoal.shrink_to_fit();
+}
+
+} // namespace farol::localisation

@@ -13,7 +13,7 @@ namespace farol::localisation {
 
 namespace {
 
-constexpr double kStepS = 0.5;      // the cloud moves on in steps no shorter, unless something was seen
+constexpr double kStepS = 0.5; // the cloud moves on in steps no shorter, unless something was seen
 constexpr double kLongestStepS = 1.0;
 constexpr std::size_t kVotesKept = 8;
 constexpr double kLeastWeight = 1e-12;
@@ -27,12 +27,14 @@ public:
           m_sensors(m_map, options.sensors),
           m_cloud(m_map, options) {
         m_mass.assign(m_building->regions().size(), 0.0);
+        m_meanRate = meanRate();
         start(0.0, std::nullopt);
     }
 
     void start(double time, const std::optional<RegionId>& region) override;
     void setRoute(const RouteContext& route) override;
-    Fix update(double time, std::span<const Observation> fresh, const std::deque<Observation>& history) override;
+    Fix update(double time, std::span<const Observation> fresh,
+               const std::deque<Observation>& history) override;
     void moved(double time, const recognition::Motion& motion) override {
         if (m_options.useMotion) m_motion.add(time, motion);
     }
@@ -57,6 +59,7 @@ private:
     void placeWithin(Fix& fix, std::uint32_t region) const;
     void addVotes(Fix& fix, const std::vector<std::uint32_t>& order) const;
     void sumMasses();
+    double meanRate() const;
 
     BayesOptions m_options;
     std::shared_ptr<const building::Building> m_building;
@@ -64,7 +67,8 @@ private:
     SensorModel m_sensors;
     WalkerCloud m_cloud;
     MotionLog m_motion;
-    double m_lost = 1.0; ///< weight of "anywhere": no walker stands for it
+    double m_meanRate = 0.0; ///< detections per second to be expected anywhere
+    double m_lost = 1.0;     ///< weight of "anywhere": no walker stands for it
     double m_time = 0.0, m_evidenceTime = 0.0;
     double m_against = 0.0; ///< log evidence that the belief is wrong
     std::vector<Repeat> m_recent;
@@ -96,7 +100,8 @@ void BayesLocaliser::start(double time, const std::optional<RegionId>& region) {
 
 void BayesLocaliser::setRoute(const RouteContext& route) {
     auto same = [](const std::optional<building::Location>& a, const std::optional<building::Location>& b) {
-        return a.has_value() == b.has_value() && (!a || (a->region == b->region && a->position == b->position));
+        return a.has_value() == b.has_value() &&
+               (!a || (a->region == b->region && a->position == b->position));
     };
     if (same(route.destination, m_destination)) return;
     m_destination = route.destination;
@@ -105,15 +110,32 @@ void BayesLocaliser::setRoute(const RouteContext& route) {
         m_map->clearGoal();
     } else {
         auto region = static_cast<std::uint32_t>(*index);
-        Spot spot = m_destination->position ? m_map->local(*m_destination->position) : m_map->middleOf(region);
+        Spot spot =
+            m_destination->position ? m_map->local(*m_destination->position) : m_map->middleOf(region);
         m_map->setGoal(region, spot);
     }
     m_cloud.reconsider();
 }
 
+double BayesLocaliser::meanRate() const {
+    constexpr int kSamples = 400;
+    if (m_building->regions().empty() || m_map->totalWeight() <= 0.0) return 0.0;
+    Random random(m_options.seed);
+    double sum = 0.0;
+    for (int i = 0; i < kSamples; ++i) {
+        std::uint32_t region = m_map->regionAtShare((i + random.uniformDouble()) / kSamples);
+        float u = random.uniform(), v = random.uniform();
+        Gaze gaze{360.0F * random.uniform(), 400.0F, 0.1F};
+        sum += double(m_sensors.expectedRate(region, m_map->spotIn(region, u, v), gaze));
+    }
+    return sum / kSamples;
+}
+
 void BayesLocaliser::step(double seconds) {
     MotionSpan span = m_motion.take(seconds);
-    m_cloud.advance(span, m_sensors, m_options.missTrust);
+    // Whoever is lost stands and turns as everybody does; only what should have been seen tells them apart.
+    m_lost *= m_cloud.advance(span, m_sensors, m_options.missTrust) *
+              std::exp(-m_options.missTrust * m_meanRate * seconds);
     double rate = m_motion.blind() ? m_options.blindLostRate : m_options.lostRate;
     double carried = 1.0 - std::exp(-rate * seconds);
     double belief = m_cloud.totalWeight();
@@ -258,9 +280,12 @@ Fix BayesLocaliser::summary(double time) {
         near += shareOf(static_cast<std::uint32_t>(neighbour));
         fix.near.push_back(m_building->regions()[neighbour].id);
     }
-    bool motion = m_motion.known();
-    fix.confidence = calibrated(motion ? Statement::RegionByMotion : Statement::Region, std::min(1.0, mass));
-    fix.nearConfidence = calibrated(motion ? Statement::NearByMotion : Statement::Near, std::min(1.0, near));
+    auto stated = [&](Statement withMotion, Statement without, double share) {
+        share = std::min(1.0, share);
+        return m_options.rawConfidence ? share : calibrated(m_motion.known() ? withMotion : without, share);
+    };
+    fix.confidence = stated(Statement::RegionByMotion, Statement::Region, mass);
+    fix.nearConfidence = stated(Statement::NearByMotion, Statement::Near, near);
     fix.nearConfidence = std::max(fix.nearConfidence, fix.confidence);
     placeWithin(fix, best);
     addVotes(fix, order);

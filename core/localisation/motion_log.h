@@ -28,13 +28,13 @@ private:
 
     std::optional<double> m_last; ///< of the last line
     double m_now = 0.0;
-    double m_pace = 1.0;  ///< last measured
-    double m_usual = 0.0; ///< the walk's own usual speed, in the scale of the lines
+    double m_pace = 1.0;   ///< last measured
+    double m_usual = 0.0;  ///< the walk's own usual speed, in the scale of the lines
     double m_walked = 0.0; ///< seconds it rests on
     double m_turnDeg = 0.0;
     double m_unseen = 0.0;   ///< seconds whose turn is not known
     double m_interval = 1.0; ///< usual time from line to line
-    double m_ahead = 0.0; ///< of `pace` seconds handed out before they were measured
+    double m_ahead = 0.0;    ///< of `pace` seconds handed out before they were measured
     double m_measured = 0.0; ///< pace times seconds since the last step
     bool m_ready = false;    ///< a line came since
 };

@@ -13,8 +13,8 @@ using recognition::Detection;
 
 namespace {
 
-constexpr float kSeenM = 4.6F;          // no landmark is recognised from farther away
-constexpr float kHalfViewDeg = 30.0F;   // of the camera
+constexpr float kSeenM = 4.6F;        // no landmark is recognised from farther away
+constexpr float kHalfViewDeg = 30.0F; // of the camera
 constexpr float kRadToDeg = 57.29578F;
 constexpr float kLog2 = 0.6931472F;
 constexpr double kLetters = 36.0, kGuessedLetter = 1.0 / 30.0;
@@ -121,9 +121,7 @@ float visibleAt(float range) {
 }
 
 bool crosses(Spot a, Spot b, Spot c, Spot d) {
-    auto side = [](Spot p, Spot q, Spot r) {
-        return (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
-    };
+    auto side = [](Spot p, Spot q, Spot r) { return (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x); };
     return side(a, b, c) * side(a, b, d) <= 0.0F && side(c, d, a) * side(c, d, b) <= 0.0F;
 }
 
@@ -193,7 +191,8 @@ void SensorModel::addLandmarks() {
         }
         if (!landmark.templateId.empty())
             item.templateIndex =
-                m_templates.try_emplace(landmark.templateId.value, static_cast<std::int32_t>(m_templates.size()))
+                m_templates
+                    .try_emplace(landmark.templateId.value, static_cast<std::int32_t>(m_templates.size()))
                     .first->second;
         double size = std::max(1.0, area(building.regions()[*region].polygon));
         item.share = static_cast<float>(std::min(size, kViewM2) * m_map->weightOf(item.region) / size /
@@ -243,7 +242,8 @@ void SensorModel::addViews() {
             const Gap& line = m_gaps[static_cast<std::size_t>(gap)];
             Spot middle{(line.a.x + line.b.x) / 2, (line.a.y + line.b.y) / 2};
             for (std::uint32_t item : own[a == r ? b : a])
-                if (m_items[item].kind != indexOf(Kind::Place) && gapBetween(m_items[item].at, middle) < kSeenM)
+                if (m_items[item].kind != indexOf(Kind::Place) &&
+                    gapBetween(m_items[item].at, middle) < kSeenM)
                     add(item, gap);
         }
         std::sort(m_views.begin() + static_cast<std::ptrdiff_t>(first), m_views.end(),
@@ -298,7 +298,8 @@ float SensorModel::factorOf(const Look& look, const Item& item) const {
 
 float SensorModel::placeRatio(const Look& look, const Item& item, Spot at, const Gaze& gaze,
                               float factor) const {
-    auto sigma = static_cast<float>(m_options.placeSigmaM), turn = static_cast<float>(m_options.placeSigmaDeg);
+    auto sigma = static_cast<float>(m_options.placeSigmaM),
+         turn = static_cast<float>(m_options.placeSigmaDeg);
     float dx = item.at.x - at.x, dy = item.at.y - at.y;
     float near = std::exp(-0.5F * (dx * dx + dy * dy) / (sigma * sigma));
     float yaw = std::atan2(item.ny, item.nx) * kRadToDeg;
@@ -322,8 +323,8 @@ float SensorModel::likelihoodOf(const Look& look, const Geometry& geometry, cons
     float variance = gaze.variance + sway * sway + look.bearingVariance;
     if (look.hasBearing) {
         float off = wrapDeg(direction - look.bearingDeg - gaze.yawDeg);
-        return likelihood * ((1.0F - gaze.unknownShare) * normalDensity(off, variance) +
-                             gaze.unknownShare / 360.0F);
+        return likelihood *
+               ((1.0F - gaze.unknownShare) * normalDensity(off, variance) + gaze.unknownShare / 360.0F);
     }
     float off = wrapDeg(direction - gaze.yawDeg), scale = std::sqrt(2.0F * variance);
     float inView = 0.5F * (std::erf((off + kHalfViewDeg) / scale) - std::erf((off - kHalfViewDeg) / scale));
@@ -359,8 +360,8 @@ float SensorModel::expectedRate(std::uint32_t region, Spot at, const Gaze& gaze)
         float width = std::sqrt(gaze.variance) + 1.0F;
         float inView = 1.0F / (1.0F + std::exp(1.7F * (std::abs(off) - kHalfViewDeg) / width));
         inView = (1.0F - gaze.unknownShare) * inView + gaze.unknownShare * 2.0F * kHalfViewDeg / 360.0F;
-        auto rate = static_cast<float>(m_options.detectionsPerSecond *
-                                       prominence(static_cast<Kind>(item.kind)));
+        auto rate =
+            static_cast<float>(m_options.detectionsPerSecond * prominence(static_cast<Kind>(item.kind)));
         sum += rate * geometry.visible * inView;
     }
     return sum;
@@ -381,7 +382,8 @@ void SensorModel::readText(const Detection& detection, Look& look, double& false
         sum += factor * double(m_shareOfText[t]);
         share += double(m_shareOfText[t]);
     }
-    double guessed = std::pow(kGuessedLetter, static_cast<double>(std::clamp<std::size_t>(text.size(), 2, 20)));
+    double guessed =
+        std::pow(kGuessedLetter, static_cast<double>(std::clamp<std::size_t>(text.size(), 2, 20)));
     double mapped = share > 0.0 ? sum / share : 0.0;
     falseFactor *= m_options.mappedFalseText * mapped + (1.0 - m_options.mappedFalseText) * guessed;
 }
@@ -422,7 +424,8 @@ Look SensorModel::prepare(const Detection& detection) const {
     } else if (detection.image.width > 0) {
         double middle = boundingBox(detection.quad).centre().x / detection.image.width;
         look.hasBearing = std::isfinite(middle);
-        look.bearingDeg = static_cast<float>((0.5 - std::clamp(middle, 0.0, 1.0)) * 2.0 * double(kHalfViewDeg));
+        look.bearingDeg =
+            static_cast<float>((0.5 - std::clamp(middle, 0.0, 1.0)) * 2.0 * double(kHalfViewDeg));
         sigma = m_options.zoneSigmaDeg;
     }
     look.bearingVariance = static_cast<float>(sigma * sigma);
@@ -437,7 +440,8 @@ Look SensorModel::prepare(const Detection& detection) const {
 /// landmarks themselves.
 void SensorModel::weighUniform(Look& look) const {
     double perFalse = double(look.inverseFalse) / (look.hasBearing ? 360.0 : 6.0);
-    if (look.hasRange && look.kind != Kind::Place) perFalse *= double(normalDensity(look.logRange - kLog2, 0.25F));
+    if (look.hasRange && look.kind != Kind::Place)
+        perFalse *= double(normalDensity(look.logRange - kLog2, 0.25F));
     if (look.kind == Kind::Place) perFalse = double(look.inverseFalse) * m_options.placeSigmaDeg / 144.0;
     double sum = 0.0;
     auto add = [&](double part) { look.groupSums.push_back(sum += part); };
@@ -484,8 +488,8 @@ BirthPose SensorModel::poseAt(const Item& item, const Look& look, double u, doub
     constexpr double kHalfArc = 1.2; // radians to either side of the way the object faces
     BirthPose pose;
     pose.region = item.region;
-    double normal = item.nx != 0.0F || item.ny != 0.0F ? std::atan2(double(item.ny), double(item.nx))
-                                                       : 2.0 * kPi * w;
+    double normal =
+        item.nx != 0.0F || item.ny != 0.0F ? std::atan2(double(item.ny), double(item.nx)) : 2.0 * kPi * w;
     if (item.kind == indexOf(Kind::Place)) {
         double away = 2.0 * kPi * u, range = 1.2 * v;
         pose.at = {item.at.x + float(range * std::cos(away)), item.at.y + float(range * std::sin(away))};
@@ -494,7 +498,8 @@ BirthPose SensorModel::poseAt(const Item& item, const Look& look, double u, doub
     }
     double away = normal + kHalfArc * (2.0 * u - 1.0);
     double spread = look.hasRange ? std::sqrt(double(look.rangeVariance)) : 0.4;
-    double range = std::exp((look.hasRange ? double(look.logRange) : double(kLog2)) + spread * 2.0 * (v - 0.5) * 1.7);
+    double range =
+        std::exp((look.hasRange ? double(look.logRange) : double(kLog2)) + spread * 2.0 * (v - 0.5) * 1.7);
     range = std::clamp(range, 0.3, double(kSeenM) - 0.1);
     pose.at = {item.at.x + float(range * std::cos(away)), item.at.y + float(range * std::sin(away))};
     pose.yawDeg = static_cast<float>(away) * kRadToDeg + 180.0F - look.bearingDeg;

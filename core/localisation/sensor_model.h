@@ -22,11 +22,11 @@ struct SensorOptions {
     double sameKind = 0.94;            ///< a landmark is reported as what it is
     double mappedFalseText = 0.15;     ///< share of false texts that stand elsewhere in the map
     double textRead = 0.72, textOneOff = 0.2, textTwoOff = 0.03;
-    double positionSigmaM = 0.45;  ///< of where the walker is beside the straight line
+    double positionSigmaM = 0.45; ///< of where the walker is beside the straight line
     double bearingSigmaDeg = 4.0;
-    double zoneSigmaDeg = 7.0;     ///< when the bearing is guessed from the place in the picture
+    double zoneSigmaDeg = 7.0; ///< when the bearing is guessed from the place in the picture
     double placeSigmaM = 1.5, placeSigmaDeg = 30.0; ///< from where a trained place is recognised
-    double otherTemplate = 0.02;   ///< a landmark is taken for one of another template of its kind
+    double otherTemplate = 0.02; ///< a landmark is taken for one of another template of its kind
 
     Result<void> check() const;
 };
@@ -44,9 +44,9 @@ struct Look {
     float bearingDeg = 0.0F;
     bool hasBearing = false;
     float bearingVariance = 0.0F;
-    float inverseFalse = 0.0F; ///< 1 / likelihood of a false detection like this
+    float inverseFalse = 0.0F;     ///< 1 / likelihood of a false detection like this
     std::vector<double> groupSums; ///< running sum of the groups drawn from: kinds, then texts; or items
-    double uniformRatio = 0.0;     ///< likelihood ratio against a false detection, averaged over the whole map
+    double uniformRatio = 0.0; ///< likelihood ratio against a false detection, averaged over the whole map
 };
 
 /// Where the camera looks, in degrees; `unknownShare`: how likely it looks anywhere at all.
@@ -72,7 +72,8 @@ public:
     float ratio(const Look& look, std::uint32_t region, Spot at, const Gaze& gaze) const;
     /// Detections per second to be expected there.
     float expectedRate(std::uint32_t region, Spot at, const Gaze& gaze) const;
-    /// A pose drawn in proportion to ratio(); `next` gives numbers from 0 to 1. Empty when no place was found.
+    /// A pose drawn in proportion to ratio(); `next` gives numbers from 0 to 1. Empty when no place was
+    /// found.
     template <class Next>
     std::optional<BirthPose> drawPose(const Look& look, Next&& next) const;
 

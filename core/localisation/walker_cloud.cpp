@@ -151,7 +151,8 @@ void WalkerCloud::wander(Walker& walker, std::int32_t from) {
         if (bent && !m_map->straight(walker.region, walker.at, node.at)) continue;
         float turn = wrappedDeg(directionDeg(walker.at, node.at) - walker.headingDeg) / kRadToDeg;
         float weight = std::exp(1.2F * (std::cos(turn) - 1.0F)) / (1.0F + 0.1F * gap);
-        if (static_cast<std::int32_t>(nodes[i]) == from) weight = 0.06F; // straight back through the same door
+        if (static_cast<std::int32_t>(nodes[i]) == from)
+            weight = 0.06F; // straight back through the same door
         m_weights[i] = weight;
         sum += weight;
     }
@@ -264,9 +265,9 @@ void WalkerCloud::turn(Walker& walker, const MotionSpan& motion, bool moving) {
     const WalkingOptions& walking = m_options.walking;
     auto seconds = static_cast<float>(motion.seconds);
     walker.yawDeg = wrappedDeg(walker.yawDeg + motion.turnDeg);
-    walker.yawVariance += static_cast<float>(
-        motion.seconds * walking.turnSigmaDeg * walking.turnSigmaDeg +
-        motion.unseenSeconds * walking.unknownTurnSigmaDeg * walking.unknownTurnSigmaDeg);
+    walker.yawVariance +=
+        static_cast<float>(motion.seconds * walking.turnSigmaDeg * walking.turnSigmaDeg +
+                           motion.unseenSeconds * walking.unknownTurnSigmaDeg * walking.unknownTurnSigmaDeg);
     walker.graceS = std::max(0.0F, walker.graceS - seconds);
     auto sway = static_cast<float>(walking.swaySigmaDeg * walking.swaySigmaDeg);
     if (walker.yawVariance > kYawUnknown) {
@@ -286,13 +287,15 @@ void WalkerCloud::turn(Walker& walker, const MotionSpan& motion, bool moving) {
     walker.yawVariance *= 1.0F - gain;
 }
 
-void WalkerCloud::advance(const MotionSpan& motion, const SensorModel& sensors, double missTrust) {
+double WalkerCloud::advance(const MotionSpan& motion, const SensorModel& sensors, double missTrust) {
     const WalkingOptions& walking = m_options.walking;
     m_motionKnown = motion.measured;
     auto seconds = static_cast<float>(motion.seconds);
     float starts = 1.0F - std::exp(-static_cast<float>(walking.goRate) * seconds);
     float stops = 1.0F - std::exp(-static_cast<float>(walking.stopRate) * seconds);
+    double before = 0.0, after = 0.0;
     for (Walker& walker : m_walkers) {
+        before += double(walker.weight);
         changeMind(walker, motion.seconds);
         bool moving = motion.pace >= kStandsBelow;
         if (!motion.measured) {
@@ -300,12 +303,13 @@ void WalkerCloud::advance(const MotionSpan& motion, const SensorModel& sensors, 
             moving = !walker.stands;
         }
         float noise = 1.0F + static_cast<float>(walking.distanceSigma) * m_random.normal();
-        float metres = moving ? walker.speed * seconds * static_cast<float>(motion.pace) * std::max(0.0F, noise)
-                              : 0.0F;
+        float metres =
+            moving ? walker.speed * seconds * static_cast<float>(motion.pace) * std::max(0.0F, noise) : 0.0F;
         if (motion.measured) {
             walker.weight *= standingWeight(walker, motion, moving);
             turn(walker, motion, moving);
         }
+        after += double(walker.weight);
         if (walker.climbTo >= 0)
             climb(walker, walker.speed * seconds * std::max(0.0F, noise));
         else
@@ -318,6 +322,7 @@ void WalkerCloud::advance(const MotionSpan& motion, const SensorModel& sensors, 
             walker.weight *= std::exp(-static_cast<float>(missTrust) * missed * seconds);
         }
     }
+    return before > 0.0 && after > 0.0 ? after / before : 1.0;
 }
 
 Gaze WalkerCloud::gazeOf(const Walker& walker) const {

@@ -18,9 +18,9 @@ struct Walker {
     std::int32_t climbTo = -1;   ///< the node beyond stairs or a lift while on them
     float climbM = 0.0F;         ///< still to climb
     float speed = 0.75F;
-    float headingDeg = 0.0F; ///< of walking
+    float headingDeg = 0.0F;                 ///< of walking
     float yawDeg = 0.0F, yawVariance = 1e6F; ///< of the camera
-    float graceS = 0.0F; ///< still turning to the new heading
+    float graceS = 0.0F;                     ///< still turning to the new heading
     float weight = 0.0F;
     bool follows = false;
     bool stands = false;
@@ -29,10 +29,10 @@ struct Walker {
 /// What is known of the motion of a span of time.
 struct MotionSpan {
     double seconds = 0.0;
-    bool measured = false;           ///< the picture told at least the speed
-    double pace = 1.0;               ///< times the walker's own speed
-    float turnDeg = 0.0F;            ///< of the camera
-    double unseenSeconds = 0.0;      ///< of which the turn is not known
+    bool measured = false;      ///< the picture told at least the speed
+    double pace = 1.0;          ///< times the walker's own speed
+    float turnDeg = 0.0F;       ///< of the camera
+    double unseenSeconds = 0.0; ///< of which the turn is not known
 };
 
 class WalkerCloud {
@@ -51,7 +51,8 @@ public:
     Walker born(const BirthPose& pose, float weight);
     /// Every walker thinks anew about the way: a goal was set or taken away.
     void reconsider();
-    void advance(const MotionSpan& motion, const SensorModel& sensors, double missTrust);
+    /// How well the motion fits, in the mean: what it did to the weights beside the things not seen.
+    double advance(const MotionSpan& motion, const SensorModel& sensors, double missTrust);
     Gaze gazeOf(const Walker& walker) const;
     double totalWeight() const;
     void scale(double factor);
@@ -77,8 +78,8 @@ private:
     Random m_random;
     std::size_t m_capacity;
     std::vector<Walker> m_walkers, m_next;
-    std::vector<float> m_weights; ///< scratch of wander()
-    std::vector<double> m_sums;   ///< scratch of renew()
+    std::vector<float> m_weights;              ///< scratch of wander()
+    std::vector<double> m_sums;                ///< scratch of renew()
     double m_speed = 0.0, m_speedSpread = 0.0; ///< of walkers yet to come: what is known of this user
     bool m_motionKnown = false;
 };

@@ -1,9 +1,10 @@
 #include "core/localisation/walking_map.h"
 
+#include <queue>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <queue>
 #include <utility>
 
 namespace farol::localisation {
@@ -68,8 +69,7 @@ float gapBetween(Spot a, Spot b) {
     return std::sqrt(dx * dx + dy * dy);
 }
 
-WalkingMap::WalkingMap(std::shared_ptr<const building::Building> building)
-    : m_building(std::move(building)) {
+WalkingMap::WalkingMap(std::shared_ptr<const building::Building> building) : m_building(std::move(building)) {
     for (const Region& region : m_building->regions()) {
         if (auto box = boundingBox(region.polygon.outer); box && isFinite(box->low)) {
             m_origin = box->low;
@@ -185,7 +185,8 @@ Spot WalkingMap::local(Point2 p) const {
 }
 
 std::span<const std::uint32_t> WalkingMap::nodesOf(std::uint32_t region) const {
-    return std::span(m_nodeOfRegion).subspan(m_firstNode[region], m_firstNode[region + 1] - m_firstNode[region]);
+    return std::span(m_nodeOfRegion)
+        .subspan(m_firstNode[region], m_firstNode[region + 1] - m_firstNode[region]);
 }
 
 bool WalkingMap::straight(std::uint32_t region, Spot a, Spot b) const {

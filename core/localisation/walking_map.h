@@ -22,10 +22,10 @@ struct Spot {
 struct WalkingNode {
     Spot at;
     std::uint32_t region = 0;
-    std::int32_t across = -1;   ///< the node on the other side; -1 for corners and for what cannot be passed
-    float crossingM = 0.0F;     ///< walking distance to `across`
-    float halfWidthM = 0.0F;    ///< how far beside `at` one may pass
-    Spot along;                 ///< unit vector of the opening
+    std::int32_t across = -1; ///< the node on the other side; -1 for corners and for what cannot be passed
+    float crossingM = 0.0F;   ///< walking distance to `across`
+    float halfWidthM = 0.0F;  ///< how far beside `at` one may pass
+    Spot along;               ///< unit vector of the opening
     bool changesLevel = false;
 };
 

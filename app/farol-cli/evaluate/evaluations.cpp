@@ -4,6 +4,7 @@ namespace farol::cli {
 
 const std::vector<Evaluation>& evaluations() {
     static const std::vector<Evaluation> kAll{
+        {"localisation", "where am I: four localisers on recorded walks", evaluateLocalisation},
         {"text", "floor plates, room numbers and blurred signs", evaluateText},
     };
     return kAll;

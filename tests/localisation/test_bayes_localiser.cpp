@@ -1,0 +1,357 @@
+#include "core/localisation/bayes_localiser.h"
+#include "tests/localisation/walk.h"
+#include "tests/support/ascii_map.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <limits>
+
+namespace {
+
+using namespace farol;
+using namespace farol::localisation;
+using namespace farol::test;
+
+/// Somebody who walks through a drawn building; what is seen is told with range and bearing.
+class Person {
+public:
+    explicit Person(std::shared_ptr<const building::Building> building, BayesOptions options = {})
+        : m_localiser(makeBayesLocaliser(std::move(building), options)) {}
+
+    Fix start(const std::string& region = {}) {
+        m_localiser->start(m_time, region.empty() ? std::nullopt : std::optional(RegionId(region)));
+        return pass(0.0);
+    }
+    void headFor(const std::string& region) {
+        RouteContext route;
+        if (!region.empty()) route.destination = building::Location{RegionId(region), std::nullopt};
+        m_localiser->setRoute(route);
+    }
+    /// Seconds without anything seen.
+    Fix pass(double seconds) {
+        double until = m_time + seconds;
+        Fix fix = m_localiser->update(m_time, {}, {});
+        while (m_time < until - 1e-9) {
+            m_time = std::min(until, m_time + 1.0);
+            if (m_motion) m_localiser->moved(m_time, *m_motion);
+            fix = m_localiser->update(m_time, {}, {});
+        }
+        return fix;
+    }
+    Fix see(Kind kind, double rangeM, double bearingDeg, const std::string& text = {}) {
+        Observation seen;
+        seen.detection.kind = kind;
+        seen.detection.text = text;
+        seen.detection.image = {640, 480};
+        seen.detection.rangeM = rangeM;
+        seen.detection.bearing = fromDegrees(bearingDeg);
+        return see(seen);
+    }
+    Fix see(Observation seen) {
+        seen.time = m_time;
+        return m_localiser->update(m_time, std::vector{seen}, {});
+    }
+    void measures(std::optional<recognition::Motion> motion) { m_motion = motion; }
+    Localiser& localiser() { return *m_localiser; }
+    double time() const { return m_time; }
+
+private:
+    std::unique_ptr<Localiser> m_localiser;
+    double m_time = 0.0;
+    std::optional<recognition::Motion> m_motion;
+};
+
+recognition::Motion motion(double turnDeg, double speed) {
+    return {fromDegrees(turnDeg), speed};
+}
+
+/// Two rooms at either end of three pieces of corridor; every room has a door, some have a plate.
+AsciiMap corridorMap() {
+    AsciiMap map;
+    map.floor(R"(
++-------+-------+-------+-------+
+|R      |S      |T      |U      |
+|       |       |       |       |
+|       |       |       |       |
++---/---+---/---+---/---+---/---+
+|A  a   :B  b   :C  c   :D  d   |
+|       :   x   :   y  z:       |
++-------+-------+-------+-------+
+)");
+    for (char letter : {'A', 'B', 'C', 'D'}) map.region(letter, {.kind = building::RegionKind::Corridor});
+    for (char door : {'a', 'b', 'c', 'd'}) map.landmark(door, {.kind = Kind::Door, .headingDeg = 270.0});
+    map.landmark('x', {.kind = Kind::Text, .text = "WARD 7", .headingDeg = 90.0});
+    map.landmark('y', {.kind = Kind::Text, .text = "WARD 9", .headingDeg = 90.0});
+    map.landmark('z', {.kind = Kind::Extinguisher, .headingDeg = 90.0});
+    return map;
+}
+
+TEST(BayesLocaliser, KnowsAToldStartAndFollowsTheWayToTheDestination) {
+    Person person(corridorMap().build());
+    person.headFor("D");
+    Fix fix = person.start("A");
+    EXPECT_EQ(regionOf(fix), "A");
+    EXPECT_GT(fix.confidence, 0.8);
+    // A corridor of doors that all look alike: 8 m in about 11 s, a door on the left in each piece.
+    for (int i = 0; i < 3; ++i) {
+        person.pass(6.0);
+        fix = person.see(Kind::Door, 1.5, 25.0);
+        person.pass(5.0);
+    }
+    fix = person.pass(8.0);
+    EXPECT_TRUE(regionOf(fix) == "D" || regionOf(fix) == "C") << regionOf(fix);
+    EXPECT_GT(fix.nearConfidence, 0.5);
+}
+
+TEST(BayesLocaliser, AnUnknownStartIsFoundByWhatIsReadOnTheWay) {
+    Person person(corridorMap().build());
+    Fix fix = person.start();
+    EXPECT_LT(fix.confidence, 0.5) << "nothing was seen yet";
+    person.pass(1.0);
+    person.see(Kind::Text, 1.5, -20.0, "WARD 7");
+    person.pass(2.0);
+    fix = person.see(Kind::Text, 1.2, -30.0, "WARD 7");
+    EXPECT_EQ(regionOf(fix), "B");
+    EXPECT_GT(fix.confidence, 0.6);
+    ASSERT_TRUE(fix.position);
+    EXPECT_LT(fix.sigmaM, 4.0);
+}
+
+TEST(BayesLocaliser, AMisreadLetterStillHelps) {
+    Person person(corridorMap().build());
+    person.start();
+    person.see(Kind::Text, 1.5, 0.0, "WARO 7");
+    person.pass(5.0);
+    EXPECT_EQ(regionOf(person.see(Kind::Text, 1.5, 0.0, "WARD 7")), "B");
+}
+
+TEST(BayesLocaliser, OneFalseSightDoesNotMoveASureFix) {
+    Person person(corridorMap().build());
+    person.start("B");
+    person.see(Kind::Text, 1.5, -20.0, "WARD 7");
+    Fix before = person.pass(1.0);
+    ASSERT_EQ(regionOf(before), "B");
+    Fix after = person.see(Kind::Extinguisher, 1.5, 0.0);
+    EXPECT_EQ(regionOf(after), "B");
+}
+
+TEST(BayesLocaliser, OneCarriedElsewhereIsFoundAgain) {
+    Person person(corridorMap().build());
+    person.start("A");
+    Fix fix = person.pass(3.0);
+    ASSERT_EQ(regionOf(fix), "A");
+    for (int i = 0; i < 6 && regionOf(fix) != "C"; ++i) {
+        person.pass(4.5);
+        fix = person.see(Kind::Text, 1.5, 0.0, "WARD 9");
+    }
+    EXPECT_EQ(regionOf(fix), "C");
+}
+
+TEST(BayesLocaliser, BlankInputIsHonest) {
+    Person person(corridorMap().build());
+    Fix fix = person.start("A");
+    double before = fix.confidence;
+    fix = person.pass(30.0);
+    EXPECT_LT(fix.confidence, before);
+    Fix later = person.pass(300.0);
+    EXPECT_LT(later.confidence, 0.7);
+    EXPECT_DOUBLE_EQ(later.evidenceTime, 0.0) << "nothing was seen since the start";
+}
+
+TEST(BayesLocaliser, ACameraThatStopsTellingMotionIsBelievedLess) {
+    auto confidenceAfter = [](bool goesOn) {
+        Person person(corridorMap().build());
+        person.measures(motion(0.0, 0.0));
+        person.start("R");
+        person.pass(20.0);
+        if (!goesOn) person.measures(std::nullopt);
+        return person.pass(60.0).confidence;
+    };
+    EXPECT_LT(confidenceAfter(false), confidenceAfter(true));
+}
+
+TEST(BayesLocaliser, StairsLeadToTheOtherLevel) {
+    AsciiMap map;
+    map.floor(R"(
++--------+---+
+|A      a:S  |
+|        :   |
++--------+---+
+)");
+    map.floor(R"(
++--------+---+
+|B       :T  |
+|   b    :   |
++--------+---+
+)",
+              1.0);
+    map.region('S', {.kind = building::RegionKind::Stairwell});
+    map.region('T', {.kind = building::RegionKind::Stairwell});
+    map.landmark('a', {.kind = Kind::Text, .text = "STAIRS"});
+    map.landmark('b', {.kind = Kind::Text, .text = "LIBRARY"});
+    map.join(building::AccessKind::Stairs, 'S', 'T');
+    Person person(map.build());
+    person.headFor("B");
+    Fix fix = person.start("A");
+    EXPECT_EQ(fix.level, 0.0);
+    person.pass(6.0);
+    person.see(Kind::Text, 1.5, 0.0, "STAIRS");
+    person.pass(35.0);
+    fix = person.see(Kind::Text, 2.0, 0.0, "LIBRARY");
+    EXPECT_EQ(regionOf(fix), "B");
+    EXPECT_EQ(fix.level, 1.0);
+}
+
+TEST(BayesLocaliser, AnotherDestinationChangesWhereTheUserIsExpected) {
+    auto after = [](const std::string& destination) {
+        Person person(corridorMap().build());
+        person.start("B");
+        person.headFor("A");
+        person.pass(1.0);
+        person.headFor(destination);
+        return regionOf(person.pass(14.0));
+    };
+    EXPECT_EQ(after("A"), "A");
+    EXPECT_NE(after("D"), "A");
+}
+
+TEST(BayesLocaliser, MotionTellsStandingFromWalking) {
+    auto walked = [](double speed) {
+        Person person(corridorMap().build());
+        person.headFor("D");
+        person.start("A");
+        person.measures(motion(0.0, 0.8)); // a few steps, so that the scale is known
+        person.pass(3.0);
+        person.measures(motion(0.0, speed));
+        return *person.pass(12.0).position;
+    };
+    EXPECT_GT(walked(0.8).x, walked(0.0).x + 4.0);
+}
+
+TEST(BayesLocaliser, TheScaleOfTheSpeedDoesNotMatter) {
+    auto regionAt = [](double scale) {
+        Person person(corridorMap().build());
+        person.headFor("D");
+        person.start("A");
+        person.measures(motion(0.0, scale * 1.0));
+        return *person.pass(12.0).position;
+    };
+    EXPECT_NEAR(regionAt(0.8).x, regionAt(4.0).x, 2.0);
+}
+
+TEST(BayesLocaliser, IsDeterministic) {
+    auto run = [] {
+        Person person(corridorMap().build());
+        person.start();
+        person.headFor("D");
+        person.see(Kind::Door, 2.0, 10.0);
+        person.pass(7.0);
+        person.see(Kind::Text, 1.5, 0.0, "WARD 9");
+        return person.pass(3.0);
+    };
+    Fix one = run(), two = run();
+    EXPECT_EQ(one.region, two.region);
+    EXPECT_EQ(one.confidence, two.confidence);
+    EXPECT_EQ(one.position, two.position);
+}
+
+TEST(BayesLocaliser, StartingAnewForgetsTheWalkBefore) {
+    Person person(corridorMap().build());
+    person.start("A");
+    person.see(Kind::Text, 1.5, 0.0, "WARD 9");
+    person.pass(5.0);
+    Fix fix = person.start();
+    EXPECT_LT(fix.confidence, 0.5);
+    EXPECT_DOUBLE_EQ(fix.evidenceTime, person.time());
+}
+
+TEST(BayesLocaliser, ARegionWithoutLandmarksCanBeTheAnswer) {
+    Person person(corridorMap().build());
+    person.headFor("U");
+    person.start("D");
+    Fix fix = person.pass(20.0);
+    EXPECT_EQ(regionOf(fix), "U");
+}
+
+TEST(BayesLocaliser, APlaceTellsWhereTheCameraIsAndWhichWayItLooks) {
+    AsciiMap map = corridorMap();
+    map.floor(R"(
++---------+
+|P        |
+|  p      |
++---------+
+)",
+              5.0);
+    map.landmark('p', {.kind = Kind::Place, .templateId = "lap-1", .headingDeg = 90.0});
+    Person person(map.build());
+    person.start();
+    Observation seen;
+    seen.detection.kind = Kind::Place;
+    seen.detection.templateId = TemplateId("lap-1");
+    seen.detection.image = {640, 480};
+    person.see(seen);
+    person.pass(5.0);
+    Fix fix = person.see(seen);
+    EXPECT_EQ(regionOf(fix), "P");
+    ASSERT_TRUE(fix.position);
+    EXPECT_LT(distance(*fix.position, map.spot('p').position.value()), 3.0);
+}
+
+TEST(BayesLocaliser, OddInputIsSurvived) {
+    Person person(corridorMap().build());
+    Fix fix = person.start("no such region");
+    EXPECT_LT(fix.confidence, 0.5);
+    Observation seen;
+    seen.detection.kind = Kind::Other;
+    seen.detection.templateId = TemplateId("not in the map");
+    seen.detection.rangeM = std::numeric_limits<double>::quiet_NaN();
+    seen.detection.bearing = Radians{std::numeric_limits<double>::infinity()};
+    fix = person.see(seen);
+    EXPECT_TRUE(std::isfinite(fix.confidence));
+    fix = person.localiser().update(-100.0, {}, {});
+    EXPECT_TRUE(std::isfinite(fix.confidence));
+    fix = person.localiser().update(std::numeric_limits<double>::quiet_NaN(), {}, {});
+    EXPECT_TRUE(std::isfinite(fix.time));
+    person.headFor("gone");
+    EXPECT_TRUE(std::isfinite(person.pass(2.0).confidence));
+}
+
+TEST(BayesLocaliser, AnEmptyMapAndASingleRegionAreFine) {
+    Person nowhere(std::make_shared<building::Building>(building::BuildingData{}));
+    Fix fix = nowhere.start();
+    EXPECT_FALSE(fix.region);
+    EXPECT_FALSE(fix.note.empty());
+    Person alone(asciiMap(R"(
++------+
+|A     |
+|      |
++------+
+)"));
+    alone.start();
+    fix = alone.see(Kind::Door, 2.0, 0.0);
+    EXPECT_EQ(regionOf(fix), "A");
+}
+
+TEST(BayesOptions, AreChecked) {
+    EXPECT_TRUE(BayesOptions{}.check().ok());
+    BayesOptions bad;
+    bad.sensors.falsePerSecond = 0.0;
+    EXPECT_FALSE(bad.check().ok());
+    bad = {};
+    bad.startTrust = 1.0;
+    EXPECT_FALSE(bad.check().ok());
+    bad = {};
+    bad.walking.slowest = -1.0;
+    EXPECT_FALSE(bad.check().ok());
+}
+
+TEST(ShortEditDistance, CountsUpToTwo) {
+    EXPECT_EQ(shortEditDistance("2.14", "2.14"), 0);
+    EXPECT_EQ(shortEditDistance("2.14", "2.15"), 1);
+    EXPECT_EQ(shortEditDistance("2.14", "3.15"), 2);
+    EXPECT_EQ(shortEditDistance("2.14", "ROOM"), 3);
+    EXPECT_EQ(shortEditDistance("", "AB"), 2);
+    EXPECT_EQ(shortEditDistance(std::string(40, 'A'), std::string(40, 'B')), 3);
+}
+
+} // namespace

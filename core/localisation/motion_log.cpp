@@ -32,6 +32,7 @@ void MotionLog::add(double time, const recognition::Motion& motion) {
     else
         m_unseen += std::min(seconds, m_interval);
     if (motion.speed && std::isfinite(*motion.speed) && *motion.speed >= 0.0) m_pace = paceOf(*motion.speed);
+    if (motion.walking == false) m_pace = 0.0;
     m_measured += m_pace * std::min(seconds, kSilenceS);
     m_ready = true;
 }

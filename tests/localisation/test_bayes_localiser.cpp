@@ -62,7 +62,10 @@ private:
 };
 
 recognition::Motion motion(double turnDeg, double speed) {
-    return {fromDegrees(turnDeg), speed};
+    recognition::Motion told;
+    told.turn = fromDegrees(turnDeg);
+    told.speed = speed;
+    return told;
 }
 
 /// Two rooms at either end of three pieces of corridor; every room has a door, some have a plate.

@@ -3,6 +3,7 @@
 // whoever comes back to a passed region could have stayed there.
 
 #include "core/routing/route_graph.h"
+#include "core/routing/wide_opening.h"
 
 #include <algorithm>
 #include <cmath>
@@ -46,7 +47,7 @@ private:
     }
     Point2 middle(const Step& step) const { return m_graph.building().accesses()[step.access].midpoint(); }
     Steps stepsFrom(std::size_t region) const {
-        return m_graph.stepsFrom(region, m_from.region, m_to.region);
+        return m_graph.rules().stepsFrom(region, m_from.region, m_to.region);
     }
 
     std::optional<Step> nextStep(std::size_t region, Point2 position, Point2 destination,
@@ -183,21 +184,109 @@ std::optional<Steps> Greedy::betweenLevels(const Endpoint& from, std::set<double
     return std::nullopt;
 }
 
+/// The row of accesses as a way: doors in their middle, over wide openings pulled straight.
+class PulledWay {
+public:
+    PulledWay(const RouteGraph& graph, const Endpoint& from, const Endpoint& to, const Steps& steps)
+        : m_graph(graph), m_steps(steps) {
+        m_points.push_back(from.position);
+        for (const Step& step : steps) {
+            const building::Access& access = graph.building().accesses()[step.access];
+            m_points.push_back(access.midpoint());
+            m_widths.push_back(walkableWidth(access, sideA(step)));
+        }
+        m_points.push_back(to.position);
+    }
+
+    Route route(const Endpoint& from) {
+        for (int round = 0; round < kSlides && pull() > 0.001; ++round) {
+        }
+        RouteMaker maker(m_graph, "greedy", from);
+        for (std::size_t i = 0; i < m_steps.size(); ++i) {
+            Point2 crossing = m_points[i + 1], landing = crossing;
+            if (m_graph.rules().changesLevel(m_steps[i])) { // stairs may come out elsewhere than they begin
+                crossing = m_graph.space(m_steps[i].from).entryOf(crossing);
+                landing = m_graph.space(m_steps[i].into).entryOf(landing);
+            }
+            maker.walkTo(crossing);
+            maker.pass(m_steps[i], landing);
+        }
+        maker.walkTo(m_points.back());
+        return maker.finished();
+    }
+
+private:
+    static constexpr int kSlides = 50;
+
+    const Polygon& sideA(const Step& step) const {
+        const building::Region* region =
+            m_graph.building().region(m_graph.building().accesses()[step.access].regionA);
+        return region != nullptr ? region->polygon : m_graph.building().regions()[step.from].polygon;
+    }
+
+    /// Moves each crossing of a wide opening once; tells how far the furthest went.
+    double pull() {
+        double moved = 0.0;
+        for (std::size_t i = 0; i < m_steps.size(); ++i) {
+            Point2 before = m_points[i + 1];
+            if (!m_widths[i].empty()) slide(i);
+            moved = std::max(moved, distance(before, m_points[i + 1]));
+        }
+        return moved;
+    }
+
+    /// To where the way over it is shorter.
+    void slide(std::size_t i) {
+        const WalkingSpace& before = m_graph.space(m_steps[i].from);
+        const WalkingSpace& after = m_graph.space(m_steps[i].into);
+        Point2& point = m_points[i + 1];
+        auto fromBefore = before.from(m_points[i]);
+        auto fromAfter = after.from(m_points[i + 2]);
+        Polyline in = before.pathTo(fromBefore, point);
+        Polyline out = after.pathTo(fromAfter, point);
+        if (in.size() < 2 || out.size() < 2) return;
+        Point2 better = bestCrossing(m_widths[i], in[in.size() - 2], out[out.size() - 2]);
+        double now = length(in) + length(out);
+        if (before.lengthTo(fromBefore, better) + after.lengthTo(fromAfter, better) < now) point = better;
+    }
+
+    /// The point of the line over which the way from `from` to `to` is shortest.
+    static Point2 bestCrossing(const Polyline& line, Point2 from, Point2 to) {
+        Point2 a = line[0];
+        Point2 along = line[1] - a;
+        Point2 normal{-along.y, along.x};
+        double sideFrom = dot(from - a, normal);
+        double sideTo = dot(to - a, normal);
+        // Mirrored to the other side where both lie on one; then the straight line between them crosses.
+        double gap = std::abs(sideFrom) + std::abs(sideTo);
+        double squared = dot(along, along);
+        double atFrom = dot(from - a, along) / squared;
+        double atTo = dot(to - a, along) / squared;
+        double share = gap > 0.0 ? std::abs(sideFrom) / gap : 0.5;
+        return a + along * std::clamp(atFrom + (atTo - atFrom) * share, 0.0, 1.0);
+    }
+
+    const RouteGraph& m_graph;
+    const Steps& m_steps;
+    std::vector<Point2> m_points;
+    std::vector<Polyline> m_widths; ///< within which a wide opening is crossed; empty for others
+};
+
 class GreedyPlanner : public Planner {
 public:
     GreedyPlanner(std::shared_ptr<const Building> building, RouteOptions options)
         : m_graph(std::move(building), options) {}
 
     Result<Route> plan(const Location& from, const Location& to) const override {
-        if (auto sound = m_graph.options().check(); !sound) return sound.error();
+        if (auto sound = m_graph.rules().options().check(); !sound) return sound.error();
         auto start = m_graph.endpoint(from, "start");
         if (!start) return start.error();
         auto goal = m_graph.endpoint(to, "destination");
         if (!goal) return goal.error();
         if (auto steps = Greedy(m_graph, *start, *goal).run())
-            return m_graph.routeAlong("greedy", *start, *goal, *steps);
-        if (!m_graph.reachable(start->region, goal->region))
-            return m_graph.unreachable(start->region, goal->region);
+            return PulledWay(m_graph, *start, *goal, *steps).route(*start);
+        if (!m_graph.rules().reachable(start->region, goal->region))
+            return m_graph.rules().unreachable(start->region, goal->region);
         const Building& building = m_graph.building();
         return Error{
             ErrorCode::NotFound,

@@ -65,9 +65,12 @@ double PathWalk::climbOf(std::size_t portal) const {
 }
 
 void PathWalk::measure() {
-    for (std::size_t i = 0; i < m_route.path.size(); ++i)
-        m_flat.push_back(
-            i == 0 ? 0.0 : m_flat.back() + distance(m_route.path[i - 1].position, m_route.path[i].position));
+    for (std::size_t i = 0; i < m_route.path.size(); ++i) {
+        // From one level to the next nothing is walked on the flat, wherever stairs come out.
+        bool flat = i > 0 && std::abs(m_route.path[i].level - m_route.path[i - 1].level) < 1e-6;
+        double gone = flat ? distance(m_route.path[i - 1].position, m_route.path[i].position) : 0.0;
+        m_flat.push_back(i == 0 ? 0.0 : m_flat.back() + gone);
+    }
     double climbs = 0.0;
     for (std::size_t k = 0; k < m_portals.size(); ++k) climbs += climbOf(k);
     double metresPerLevel =

@@ -17,10 +17,15 @@ Result<void> RouteOptions::check() const {
     };
     const Entry entries[] = {{"walkingSpeed", walkingSpeed, 0.01},
                              {"doorSeconds", doorSeconds, 0.0},
+                             {"narrowDoorSeconds", narrowDoorSeconds, 0.0},
                              {"stairsSecondsPerLevel", stairsSecondsPerLevel, 0.0},
+                             {"escalatorSecondsPerLevel", escalatorSecondsPerLevel, 0.0},
+                             {"walkwaySeconds", walkwaySeconds, 0.0},
+                             {"rampSeconds", rampSeconds, 0.0},
                              {"elevatorSeconds", elevatorSeconds, 0.0},
                              {"elevatorSecondsPerLevel", elevatorSecondsPerLevel, 0.0},
-                             {"storeyHeightM", storeyHeightM, 0.0}};
+                             {"storeyHeightM", storeyHeightM, 0.0},
+                             {"narrowDoorM", narrowDoorM, 0.0}};
     for (const Entry& entry : entries)
         if (!(entry.value >= entry.low) || entry.value > 1e6)
             return Error{ErrorCode::InvalidArgument, "is out of its range",

@@ -53,18 +53,27 @@ struct Route {
     bool passes(const RegionId& region) const;
 };
 
-/// What may be used, and how long it takes. Speeds in metres a second on the flat.
+/// The profile of who walks: what may be used, and how long it takes. Speeds in metres a second on the flat.
+/// Closed accesses are never used.
 struct RouteOptions {
-    double walkingSpeed = 0.8; ///< of a blind walker, for `seconds`
-    double doorSeconds = 4.0;  ///< to find and pass a door
-    double stairsSecondsPerLevel = 20.0;
+    double walkingSpeed = 0.8;           ///< of a blind walker, for `seconds`
+    double doorSeconds = 4.0;            ///< to find and pass a door
+    double narrowDoorSeconds = 0.0;      ///< more than that, for one narrower than narrowDoorM
+    double stairsSecondsPerLevel = 20.0; ///< steps within a level: their part of 18 steps, 9 where not told
+    double escalatorSecondsPerLevel = 20.0;
+    double walkwaySeconds = 0.0;          ///< to step on and off an escalator that stays on its level
+    double rampSeconds = 0.0;             ///< beside the walk up or down
     double elevatorSeconds = 45.0;        ///< waiting and riding one level; waited for once a ride
     double elevatorSecondsPerLevel = 5.0; ///< each further level of the same ride
     double storeyHeightM = 3.0;           ///< where the map tells no elevations
+    double narrowDoorM = 0.8;             ///< doors and openings whose width is told are narrow below this
     bool avoidStairs = false;
     bool avoidElevator = false;
     bool avoidEscalator = false;
-    bool avoidRestricted = false;
+    bool avoidWalkway = false; ///< moving walkways
+    bool avoidRamp = false;
+    bool avoidNarrow = false;
+    bool avoidRestricted = false; ///< one may still start or end in such a region
 
     Result<void> check() const;
 };
@@ -74,14 +83,16 @@ class Planner {
 public:
     virtual ~Planner() = default;
     /// NotFound with the reason in words when there is no way ("room 2.14 can be reached by stairs only,
-    /// which are to be avoided"). Start and goal in one region: a route without accesses.
+    /// which are to be avoided"). Start and goal in one region: a route without accesses, unless it is
+    /// shorter to leave the region and come back.
     virtual Result<Route> plan(const Location& from, const Location& to) const = 0;
 };
 
-/// Least seconds from door to door (RouteOptions), walking the shortest way within each region's polygon.
-/// Doors and narrow openings are crossed in their middle, openings 1.2 m wide or more (drawn as a line, or a
-/// point with width_m on a border) where the way is shortest, 0.4 m or more from their ends (chosen among
-/// points 1 m apart, then pulled straight).
+/// The least seconds there are (RouteOptions), walking within the regions' polygons. Doors and narrow
+/// openings are crossed in their middle. Openings 1.2 m wide or more (drawn as a straight line, or a point
+/// with width_m on a border) are crossed anywhere 0.4 m or more from their ends; in their middle where they
+/// go one way only or lead into what is barred. Makes its graph at once; the building should be planned in
+/// many times.
 std::unique_ptr<Planner> makeOptimalPlanner(std::shared_ptr<const Building> building,
                                             RouteOptions options = {});
 /// The paper's 4.1 as printed: next access by direction and distance to the destination, dead ends struck out

@@ -34,7 +34,32 @@ void forEachEdge(const Polygon& polygon, Visit visit) {
     for (const Ring& hole : polygon.holes) around(hole);
 }
 
+/// Does a ring without a right turn go round once only? (A star of five points turns left throughout.)
+bool simplyTurned(const Ring& ring) {
+    double turned = 0.0;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        Point2 in = ring[(i + 1) % ring.size()] - ring[i];
+        Point2 out = ring[(i + 2) % ring.size()] - ring[(i + 1) % ring.size()];
+        turned += std::atan2(cross(in, out), dot(in, out));
+    }
+    return turned < 3.0 * kPi;
+}
+
 } // namespace
+
+Point2 nearestWithin(const Polygon& polygon, Point2 p) {
+    if (contains(polygon, p)) return p;
+    Point2 best = p;
+    double nearest = kInfinity;
+    forEachEdge(polygon, [&](Point2 a, Point2 b) {
+        Point2 candidate = nearestOnSegment(p, a, b);
+        double gap = distance(p, candidate);
+        if (gap >= nearest) return;
+        nearest = gap;
+        best = candidate;
+    });
+    return best;
+}
 
 WalkingSpace::WalkingSpace(const Polygon& polygon)
     : m_origin(polygon.outer.empty() ? Point2{} : polygon.outer[0]) {
@@ -49,11 +74,13 @@ WalkingSpace::WalkingSpace(const Polygon& polygon)
     };
     collect(m_polygon.outer);
     for (const Ring& hole : m_polygon.holes) collect(hole);
+    m_open = m_corners.empty() && m_polygon.holes.empty() && m_polygon.outer.size() > 2 &&
+             simplyTurned(m_polygon.outer);
     m_visible.resize(m_corners.size());
     for (std::size_t i = 0; i < m_corners.size(); ++i) {
         for (std::size_t j = i + 1; j < m_corners.size(); ++j) {
-            if (!worthGoing(m_corners[i], m_corners[j].position) ||
-                !worthGoing(m_corners[j], m_corners[i].position) ||
+            if (!m_corners[i].worthGoing(m_corners[j].position) ||
+                !m_corners[j].worthGoing(m_corners[i].position) ||
                 !sees(m_corners[i].position, m_corners[j].position))
                 continue;
             m_visible[i].push_back(j);
@@ -62,19 +89,28 @@ WalkingSpace::WalkingSpace(const Polygon& polygon)
     }
 }
 
-/// A shortest way bends at a corner only where it touches it: both edges on one side of the way.
-bool WalkingSpace::worthGoing(const Corner& corner, Point2 other) const {
-    Point2 way = corner.position - other;
+bool WalkingSpace::Corner::worthGoing(Point2 other) const {
+    Point2 way = position - other;
     double reach = kTouch * length(way);
-    double before = cross(way, corner.before - corner.position);
-    double after = cross(way, corner.after - corner.position);
-    return !(before > reach && after < -reach) && !(before < -reach && after > reach);
+    double sideBefore = cross(way, before - position);
+    double sideAfter = cross(way, after - position);
+    return !(sideBefore > reach && sideAfter < -reach) && !(sideBefore < -reach && sideAfter > reach);
+}
+
+std::vector<WalkingSpace::Corner> WalkingSpace::corners() const {
+    std::vector<Corner> moved = m_corners;
+    for (Corner& each : moved) {
+        each.position = each.position + m_origin;
+        each.before = each.before + m_origin;
+        each.after = each.after + m_origin;
+    }
+    return moved;
 }
 
 bool WalkingSpace::sees(Point2 a, Point2 b) const {
     Point2 way = b - a;
     double whole = length(way);
-    if (whole <= kTouch) return true;
+    if (whole <= kTouch || m_open) return true;
     Point2 direction = way * (1.0 / whole);
     std::vector<double> touches{0.0, whole};
     bool crossed = false;
@@ -105,30 +141,16 @@ bool WalkingSpace::sees(Point2 a, Point2 b) const {
     return true;
 }
 
-Point2 WalkingSpace::inside(Point2 p) const {
-    if (contains(m_polygon, p)) return p;
-    Point2 best = p;
-    double nearest = kInfinity;
-    forEachEdge(m_polygon, [&](Point2 a, Point2 b) {
-        Point2 candidate = nearestOnSegment(p, a, b);
-        double gap = distance(p, candidate);
-        if (gap >= nearest) return;
-        nearest = gap;
-        best = candidate;
-    });
-    return best;
-}
-
 WalkingSpace::Tree WalkingSpace::from(Point2 source) const {
     Tree tree;
     tree.source = source - m_origin;
-    tree.entry = inside(tree.source);
+    tree.entry = nearestWithin(m_polygon, tree.source);
     tree.cost.assign(m_corners.size(), kInfinity);
     tree.previous.assign(m_corners.size(), kNone);
     using Entry = std::pair<double, std::size_t>;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
     for (std::size_t i = 0; i < m_corners.size(); ++i) {
-        if (!worthGoing(m_corners[i], tree.entry) || !sees(tree.entry, m_corners[i].position)) continue;
+        if (!m_corners[i].worthGoing(tree.entry) || !sees(tree.entry, m_corners[i].position)) continue;
         tree.cost[i] = distance(tree.entry, m_corners[i].position);
         open.emplace(tree.cost[i], i);
     }
@@ -149,7 +171,7 @@ WalkingSpace::Tree WalkingSpace::from(Point2 source) const {
 
 WalkingSpace::Way WalkingSpace::wayTo(const Tree& tree, Point2 target) const {
     Way best;
-    best.exit = inside(target);
+    best.exit = nearestWithin(m_polygon, target);
     best.length = distance(tree.entry, best.exit);
     double ends = distance(tree.source, tree.entry) + distance(best.exit, target);
     if (!sees(tree.entry, best.exit)) {

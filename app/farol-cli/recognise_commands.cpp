@@ -5,6 +5,7 @@
 #include "core/recognition/door_detector.h"
 #include "core/recognition/landmark_recogniser.h"
 #include "core/recognition/rectangle_detector.h"
+#include "core/recognition/stairs_detector.h"
 #include "core/recognition/text_reader.h"
 
 #include <nlohmann/json.hpp>
@@ -135,10 +136,11 @@ int recognise(const std::string& path, const std::vector<std::string>& sources, 
 int detect(const std::vector<std::string>& only, const std::vector<std::string>& sources, bool jsonLines) {
     auto wanted = [&](const char* name) { return std::find(only.begin(), only.end(), name) != only.end(); };
     for (const std::string& name : only)
-        if (name != "doors" && name != "rectangles" && name != "text")
-            return report({ErrorCode::InvalidArgument,
-                           "there is no detector \"" + name + "\"; there are doors, rectangles and text",
-                           "--only"});
+        if (name != "doors" && name != "stairs" && name != "rectangles" && name != "text")
+            return report(
+                {ErrorCode::InvalidArgument,
+                 "there is no detector \"" + name + "\"; there are doors, stairs, rectangles and text",
+                 "--only"});
     std::unique_ptr<TextReader> reader;
     if (wanted("text")) {
         auto made = TextReader::create();
@@ -148,6 +150,7 @@ int detect(const std::vector<std::string>& only, const std::vector<std::string>&
     auto look = [&](const cv::Mat& image) {
         DetectorResult result;
         if (wanted("doors")) result.append(detectDoors(image));
+        if (wanted("stairs")) result.append(detectStairs(image));
         if (wanted("rectangles")) result.append(detectRectangles(image));
         if (reader) result.append(reader->read(image));
         return result;
@@ -169,7 +172,7 @@ void addRecogniseCommands(CLI::App& app, int& exitCode) {
     struct Arguments {
         std::string library;
         std::vector<std::string> sources;
-        std::vector<std::string> only{"doors", "rectangles", "text"};
+        std::vector<std::string> only{"doors", "stairs", "rectangles", "text"};
         bool jsonLines = false;
     };
     auto arguments = std::make_shared<Arguments>();
@@ -182,9 +185,9 @@ void addRecogniseCommands(CLI::App& app, int& exitCode) {
     recognising->callback([arguments, &exitCode] {
         exitCode = recognise(arguments->library, arguments->sources, arguments->jsonLines);
     });
-    CLI::App* detecting = app.add_subcommand("detect", "Find doors, rectangles and text in pictures");
+    CLI::App* detecting = app.add_subcommand("detect", "Find doors, stairs, rectangles and text in pictures");
     detecting->footer("Example:\n  farol-cli detect --only doors,text corridor.jpg --json-lines");
-    detecting->add_option("--only", arguments->only, "Detectors to run: doors, rectangles, text")
+    detecting->add_option("--only", arguments->only, "Detectors to run: doors, stairs, rectangles, text")
         ->delimiter(',');
     detecting->add_option("pictures", arguments->sources, "Pictures, folders of pictures, videos")
         ->required();

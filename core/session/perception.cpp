@@ -68,8 +68,9 @@ bool hasViews(const recognition::LandmarkLibrary* library) {
 } // namespace
 
 Result<void> PerceptionOptions::check() const {
-    for (const Result<void>& checked : {recogniser.check(), doorDetector.check(), rectangleDetector.check(),
-                                        textReader.check(), visualMotion.check(), scene.check()})
+    for (const Result<void>& checked :
+         {recogniser.check(), doorDetector.check(), stairsDetector.check(), rectangleDetector.check(),
+          textReader.check(), visualMotion.check(), scene.check()})
         if (!checked) return checked;
     if (!std::isfinite(secondsBetweenReadings) || secondsBetweenReadings < 0.0)
         return Error{ErrorCode::InvalidArgument,
@@ -114,6 +115,7 @@ Percept Perception::look(const capture::Frame& frame, HopTimes* times) {
     if (m_recogniser) append(percept, m_recogniser->recognise(frame.image));
     watch.lap(spent.landmarksMs);
     if (m_options.doors) append(percept, recognition::detectDoors(frame.image, m_options.doorDetector));
+    if (m_options.stairs) append(percept, recognition::detectStairs(frame.image, m_options.stairsDetector));
     watch.lap(spent.doorsMs);
     bool backwards = m_lastReading && frame.capturedAt < *m_lastReading;
     bool due =

@@ -5,6 +5,7 @@
 #include "core/recognition/door_detector.h"
 #include "core/recognition/landmark_recogniser.h"
 #include "core/recognition/rectangle_detector.h"
+#include "core/recognition/stairs_detector.h"
 #include "core/recognition/text_reader.h"
 #include "core/recognition/visual_motion.h"
 #include "core/session/percept.h"
@@ -15,12 +16,13 @@
 namespace farol::session {
 
 struct PerceptionOptions {
-    bool landmarks = true, doors = true, text = true, motion = true;
+    bool landmarks = true, doors = true, stairs = true, text = true, motion = true;
     /// Generic boards as detections too. Off: they only say where the text reader looks, and would fill the
     /// short history with things that nearly every wall has.
     bool rectangles = false;
     recognition::RecogniserOptions recogniser;
     recognition::DoorDetectorOptions doorDetector;
+    recognition::StairsDetectorOptions stairsDetector;
     recognition::RectangleDetectorOptions rectangleDetector;
     recognition::TextReaderOptions textReader;
     recognition::VisualMotionOptions visualMotion;

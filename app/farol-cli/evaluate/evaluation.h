@@ -36,7 +36,9 @@ struct Evaluation {
 /// In the order in which the help lists them.
 const std::vector<Evaluation>& evaluations();
 
+Result<EvaluationReport> evaluateDoors(const std::filesystem::path& data);
 Result<EvaluationReport> evaluateLocalisation(const std::filesystem::path& data);
+Result<EvaluationReport> evaluateStairs(const std::filesystem::path& data);
 Result<EvaluationReport> evaluateText(const std::filesystem::path& data);
 
 } // namespace farol::cli

@@ -4,7 +4,9 @@ namespace farol::cli {
 
 const std::vector<Evaluation>& evaluations() {
     static const std::vector<Evaluation> kAll{
+        {"doors", "doors of photographs and of the corridor walk", evaluateDoors},
         {"localisation", "where am I: four localisers on recorded walks", evaluateLocalisation},
+        {"stairs", "stairs of photographs, and what is mistaken for them", evaluateStairs},
         {"text", "floor plates, room numbers and blurred signs", evaluateText},
     };
     return kAll;

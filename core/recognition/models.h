@@ -1,0 +1,10 @@
+#pragma once
+// The trained classifiers that the build compiles in (resources/models). Only this folder includes it.
+
+#include <string_view>
+
+namespace farol::recognition {
+
+std::string_view doorTrees();
+
+} // namespace farol::recognition

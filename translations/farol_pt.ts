@@ -1430,6 +1430,26 @@ Abra um com Ctrl+O.</translation>
         <source>your destination</source>
         <translation>o seu destino</translation>
     </message>
+    <message>
+        <source>Now turn slowly to the left, past where you began.</source>
+        <translation>Agora vire-se devagar para a esquerda, passando de onde começou.</translation>
+    </message>
+    <message>
+        <source>Hold still, and tilt the camera slowly up.</source>
+        <translation>Não se mexa, e incline a câmara devagar para cima.</translation>
+    </message>
+    <message>
+        <source>Now tilt it slowly down.</source>
+        <translation>Agora incline-a devagar para baixo.</translation>
+    </message>
+    <message>
+        <source>I still do not know where you are. If you can, move a few steps along a wall, or ask for help.</source>
+        <translation>Ainda não sei onde está. Se puder, avance alguns passos junto a uma parede, ou peça ajuda.</translation>
+    </message>
+    <message>
+        <source>Thank you, that is enough.</source>
+        <translation>Obrigado, já chega.</translation>
+    </message>
 </context>
 <context>
     <name>farol::ui::PlaceChooser</name>

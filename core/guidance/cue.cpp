@@ -56,4 +56,24 @@ std::string cueReasonName(CueReason reason) {
     return "unknown";
 }
 
+std::string sweepStepName(SweepStep step) {
+    switch (step) {
+    case SweepStep::None:
+        return "none";
+    case SweepStep::Right:
+        return "right";
+    case SweepStep::Left:
+        return "left";
+    case SweepStep::Up:
+        return "up";
+    case SweepStep::Down:
+        return "down";
+    case SweepStep::AskForHelp:
+        return "ask_for_help";
+    case SweepStep::Done:
+        return "done";
+    }
+    return "unknown";
+}
+
 } // namespace farol::guidance

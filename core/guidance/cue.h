@@ -18,7 +18,7 @@ enum class CueKind {
     Reassure,   ///< keep going
     Arrived,
     OffRoute,     ///< left the route; a new one follows or none exists
-    Unsure,       ///< not known where: turn slowly, let me look around
+    Unsure,       ///< not known where: `sweep` says how to look around
     Located,      ///< where the user is, when that changed or was asked for
     Detection,    ///< an object and its zone (paper 4.3: "extinguisher-left-down")
     Text,         ///< something read on a sign
@@ -41,6 +41,10 @@ enum class CueReason {
     PictureCovered,
     FrameSkipped
 };
+
+/// The coached look around of someone lost (paper section 2: 180 degrees across, 45 up and down), one order
+/// at a time. Done: the place is known again.
+enum class SweepStep { None, Right, Left, Up, Down, AskForHelp, Done };
 
 struct Cue {
     CueKind kind = CueKind::Reassure;
@@ -68,11 +72,13 @@ struct Cue {
     Kind objectKind = Kind::Other; ///< Detection
     Zone zone;                     ///< Detection, Text
     std::string text;              ///< Text: what was read; Detection: the landmark's text, if any
+    SweepStep sweep = SweepStep::None; ///< Unsure
     CueReason reason = CueReason::None;
     std::string detail; ///< of `reason`, for the log; not spoken
 };
 
 std::string cueKindName(CueKind kind);
 std::string cueReasonName(CueReason reason);
+std::string sweepStepName(SweepStep step);
 
 } // namespace farol::guidance

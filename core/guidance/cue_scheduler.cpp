@@ -22,7 +22,7 @@ Result<void> GuidanceOptions::check() const {
     if (!(sureConfidence >= 0.0 && sureConfidence <= 1.0))
         return wrong("must be from 0 to 1", "sureConfidence");
     for (double seconds : {reassureEverySeconds, repeatAfterSeconds, objectRepeatSeconds, unsureAfterSeconds,
-                           unsureRepeatSeconds, offRouteRepeatSeconds}) {
+                           unsureRepeatSeconds, sweepStepSeconds, offRouteRepeatSeconds}) {
         if (!isPositive(seconds)) return wrong("every time is above 0 seconds", "times");
     }
     return {};

@@ -21,8 +21,9 @@ struct GuidanceOptions {
     double reassureEverySeconds = 15.0; ///< where no distance is known
     double repeatAfterSeconds = 15.0;   ///< the same action is not told again sooner
     double objectRepeatSeconds = 20.0;
-    double unsureAfterSeconds = 8.0; ///< without a usable fix
-    double unsureRepeatSeconds = 15.0;
+    double unsureAfterSeconds = 8.0;   ///< without a usable fix
+    double sweepStepSeconds = 6.0;     ///< from one order of the look around to the next
+    double unsureRepeatSeconds = 15.0; ///< after a look around that found nothing
     double offRouteRepeatSeconds = 10.0;
     double sureConfidence = 0.5; ///< below: hedged words
     double maxSigmaForActM =

@@ -372,26 +372,62 @@ void CueStep::tellReassurance(double aheadM) {
     add(std::move(cue));
 }
 
+namespace {
+
+/// Empty: the look around is over and found nothing.
+std::optional<SweepStep> following(SweepStep step) {
+    switch (step) {
+    case SweepStep::Right:
+        return SweepStep::Left;
+    case SweepStep::Left:
+        return SweepStep::Up;
+    case SweepStep::Up:
+        return SweepStep::Down;
+    case SweepStep::Down:
+        return SweepStep::AskForHelp;
+    case SweepStep::None:
+    case SweepStep::AskForHelp:
+    case SweepStep::Done:
+        break;
+    }
+    return std::nullopt;
+}
+
+} // namespace
+
+void CueStep::tellSweep(SweepStep step) {
+    m_memory.sweep = SchedulerMemory::Sweep{step, m_fix.time};
+    Cue cue = cueOf(CueKind::Unsure, CuePriority::OffRoute, kUnsureSeconds);
+    cue.sweep = step;
+    cue.detail = m_fix.note;
+    add(std::move(cue));
+}
+
 /// Unsure is also who was seen where the route does not expect it, once only: looking around settles it.
 void CueStep::tellUnsure() {
     bool underWay = m_progress.route && m_progress.travel == Travel::OnRoute;
     bool asExpected = !underWay || m_fix.region == m_progress.route->regions[m_progress.regionsPassed];
     if (m_usable && asExpected) {
+        // Who was just told to turn has to be told to stop turning, at once.
+        bool turning = m_memory.sweep && following(m_memory.sweep->step) &&
+                       m_fix.time - m_memory.sweep->toldAt <= 2.0 * m_options.sweepStepSeconds;
+        if (turning) tellSweep(SweepStep::Done);
         m_memory.unusableSince.reset();
-        m_memory.unsureToldAt.reset();
+        m_memory.sweep.reset();
         return;
     }
     if (!m_memory.unusableSince) m_memory.unusableSince = m_fix.time;
     if (m_fix.time - *m_memory.unusableSince < m_options.unsureAfterSeconds) return;
-    if (m_memory.unsureToldAt) {
-        // Without a destination nobody waits for directions: asked once, not again and again.
-        bool again = m_fix.time - *m_memory.unsureToldAt >= m_options.unsureRepeatSeconds;
-        if (!again || m_progress.destination.empty()) return;
+    if (!m_memory.sweep) {
+        tellSweep(SweepStep::Right);
+        return;
     }
-    m_memory.unsureToldAt = m_fix.time;
-    Cue cue = cueOf(CueKind::Unsure, CuePriority::OffRoute, kUnsureSeconds);
-    cue.detail = m_fix.note;
-    add(std::move(cue));
+    // Without a destination nobody waits for directions: asked once, not led through a look around.
+    if (m_progress.destination.empty()) return;
+    double since = m_fix.time - m_memory.sweep->toldAt;
+    std::optional<SweepStep> next = following(m_memory.sweep->step);
+    if (next && since >= m_options.sweepStepSeconds) tellSweep(*next);
+    if (!next && since >= m_options.unsureRepeatSeconds) tellSweep(SweepStep::Right);
 }
 
 /// Where the user is, when that changed and no instruction says it already.

@@ -30,7 +30,12 @@ struct SchedulerMemory {
 
     std::map<RegionId, double> announcedInto; ///< regions named as what comes next -> when
     std::optional<double> offRouteToldAt;
-    std::optional<double> unusableSince, unsureToldAt;
+    std::optional<double> unusableSince;
+    struct Sweep {
+        SweepStep step = SweepStep::Right;
+        double toldAt = 0.0;
+    };
+    std::optional<Sweep> sweep;
     std::optional<RegionId> located; ///< the last region told, or told to come next
     std::map<RegionId, double> locatedAt;
     struct Candidate {
@@ -49,6 +54,7 @@ public:
 
     void tellRoute();
     void tellUnsure();
+    void tellSweep(SweepStep step);
     void tellRegion();
     void tellObjects(const std::vector<localisation::Observation>& fresh);
     std::vector<Cue> takeCues() { return std::move(m_cues); }

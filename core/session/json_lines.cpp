@@ -174,6 +174,7 @@ void addCueSubject(Json& json, const guidance::Cue& cue) {
     if (object) json["object_kind"] = kindName(cue.objectKind);
     if (object || cue.kind == guidance::CueKind::Text) json["zone"] = zoneName(cue.zone);
     addText("text", cue.text);
+    if (cue.sweep != guidance::SweepStep::None) json["sweep"] = guidance::sweepStepName(cue.sweep);
     if (cue.reason != guidance::CueReason::None) json["reason"] = guidance::cueReasonName(cue.reason);
     addText("detail", cue.detail);
 }

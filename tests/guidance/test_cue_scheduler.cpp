@@ -298,10 +298,38 @@ TEST(CueScheduler, AsksToLookAroundAfterEightSecondsWithoutAFix) {
     walk.later(0.0);
     for (const Cue& cue : walk.wait(7)) EXPECT_NE(cue.kind, CueKind::Unsure);
     walk.later(1.0);
-    EXPECT_NE(walk.find(CueKind::Unsure), nullptr);
-    EXPECT_TRUE(walk.wait(14).empty());
-    walk.later(1.0);
-    EXPECT_NE(walk.find(CueKind::Unsure), nullptr);
+    ASSERT_NE(walk.find(CueKind::Unsure), nullptr);
+    EXPECT_EQ(walk.find(CueKind::Unsure)->sweep, SweepStep::Right);
+}
+
+TEST(CueScheduler, WhoIsLostIsLedThroughALookAroundOneOrderAtATime) {
+    Guided walk;
+    walk.tracker.setDestination(at("D"));
+    walk.later(0.0);
+    std::vector<SweepStep> steps;
+    for (const Cue& cue : walk.wait(55))
+        if (cue.kind == CueKind::Unsure) steps.push_back(cue.sweep);
+    EXPECT_EQ(steps, (std::vector{SweepStep::Right, SweepStep::Left, SweepStep::Up, SweepStep::Down,
+                                  SweepStep::AskForHelp, SweepStep::Right, SweepStep::Left}));
+}
+
+TEST(CueScheduler, TheLookAroundStopsAsSoonAsThePlaceIsKnown) {
+    Guided walk;
+    walk.tracker.setDestination(at("D"));
+    walk.later(0.0);
+    walk.wait(15);
+    walk.seen("A");
+    ASSERT_NE(walk.find(CueKind::Unsure), nullptr);
+    EXPECT_EQ(walk.find(CueKind::Unsure)->sweep, SweepStep::Done);
+    EXPECT_NE(walk.find(CueKind::RouteStart), nullptr) << "and the way is told";
+    walk.seen("A");
+    EXPECT_EQ(walk.find(CueKind::Unsure), nullptr);
+}
+
+TEST(CueScheduler, WhoWasAskedToLookAroundLongAgoIsNotToldToStop) {
+    Guided walk;
+    walk.later(0.0);
+    walk.wait(60);
     walk.seen("A");
     EXPECT_EQ(walk.find(CueKind::Unsure), nullptr);
 }

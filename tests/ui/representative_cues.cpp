@@ -5,6 +5,7 @@ namespace farol::test {
 using guidance::Cue;
 using guidance::CueKind;
 using guidance::CueReason;
+using guidance::SweepStep;
 using routing::Manoeuvre;
 using routing::ManoeuvreKind;
 using routing::Vertical;
@@ -171,7 +172,13 @@ void addState(std::vector<NamedCue>& list) {
         {"off route, new way, turn", cueOf(CueKind::OffRoute, at(ManoeuvreKind::Turn, 180)), false});
     list.push_back(
         {"off route, no way", about(CueKind::OffRoute, "Library", CueReason::DestinationUnreachable), false});
-    list.push_back({"unsure", cueOf(CueKind::Unsure), false});
+    for (SweepStep step : {SweepStep::None, SweepStep::Right, SweepStep::Left, SweepStep::Up, SweepStep::Down,
+                           SweepStep::AskForHelp, SweepStep::Done}) {
+        Cue look = cueOf(CueKind::Unsure);
+        look.sweep = step;
+        list.push_back(
+            {QStringLiteral("unsure, look: ") + QString::fromStdString(sweepStepName(step)), look, false});
+    }
     list.push_back({"located", about(CueKind::Located, "Corridor B"), false});
     list.push_back({"located, level", toLevel(about(CueKind::Located, "Corridor B"), "-1"), false});
     list.push_back({"located, unsure", unsure(about(CueKind::Located, "Corridor B")), false});

@@ -27,8 +27,7 @@ QString Phrasebook::sentence(const Cue& cue) const {
     case CueKind::OffRoute:
         return offRoute(cue);
     case CueKind::Unsure:
-        return tr(
-            "I am not sure where you are. Stop, and turn slowly to the right, so that I can look around.");
+        return lookAround(cue.sweep);
     case CueKind::Located:
         return located(cue);
     case CueKind::Detection:
@@ -92,6 +91,27 @@ QString Phrasebook::reassure(const Cue& cue) const {
     const int metres = spoken::metres(cue.distanceM);
     return metres > 0 ? tr("Keep moving forward for about %n metre(s).", nullptr, metres)
                       : tr("Keep moving forward.");
+}
+
+QString Phrasebook::lookAround(guidance::SweepStep step) {
+    using guidance::SweepStep;
+    switch (step) {
+    case SweepStep::None:
+    case SweepStep::Right:
+        break;
+    case SweepStep::Left:
+        return tr("Now turn slowly to the left, past where you began.");
+    case SweepStep::Up:
+        return tr("Hold still, and tilt the camera slowly up.");
+    case SweepStep::Down:
+        return tr("Now tilt it slowly down.");
+    case SweepStep::AskForHelp:
+        return tr(
+            "I still do not know where you are. If you can, move a few steps along a wall, or ask for help.");
+    case SweepStep::Done:
+        return tr("Thank you, that is enough.");
+    }
+    return tr("I am not sure where you are. Stop, and turn slowly to the right, so that I can look around.");
 }
 
 QString Phrasebook::arrived(const Cue& cue) const {

@@ -70,6 +70,7 @@ private:
     QString prepare(const guidance::Cue& cue) const;
     QString act(const guidance::Cue& cue) const;
     QString reassure(const guidance::Cue& cue) const;
+    static QString lookAround(guidance::SweepStep step);
     QString arrived(const guidance::Cue& cue) const;
     QString offRoute(const guidance::Cue& cue) const;
     QString located(const guidance::Cue& cue) const;

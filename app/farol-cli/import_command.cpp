@@ -1,6 +1,7 @@
 #include "app/farol-cli/commands.h"
 #include "app/farol-cli/findings_output.h"
 #include "app/farol-cli/output.h"
+#include "core/base/database_source.h"
 #include "core/building/geopackage.h"
 #include "core/building/import/importer.h"
 #include "core/building/info.h"
@@ -43,7 +44,7 @@ int importMap(ImportArguments arguments) {
         return kDone;
     }
     printFindings(imported->findings, stderr);
-    printLine(arguments.target + ": " + std::to_string(info.regions) + " regions on " +
+    printLine(shownSource(arguments.target) + ": " + std::to_string(info.regions) + " regions on " +
               std::to_string(info.levels.size()) + " levels, " + std::to_string(info.accesses) +
               " accesses (" + std::to_string(info.accessesJoined) + " join two regions), " +
               std::to_string(info.landmarks) + " landmarks, read as " +
@@ -57,7 +58,9 @@ void addMapImport(CLI::App& map, int& exitCode) {
     CLI::App* command = map.add_subcommand("import", "Turns a map of another format into a building file");
     auto arguments = std::make_shared<ImportArguments>();
     command->add_option("SOURCE", arguments->source, "File, folder or zip")->required();
-    command->add_option("OUT", arguments->target, "Building file (.gpkg); untouched when the import fails")
+    command
+        ->add_option("OUT", arguments->target,
+                     "Building file (.gpkg) or database (PG:...); untouched when the import fails")
         ->required();
     command->add_option("--format", arguments->format,
                         "auto, shapefile, geopackage, geojson, imdf, osm, indoorgml, hulop or wrld");

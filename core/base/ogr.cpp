@@ -1,5 +1,7 @@
 #include "core/base/ogr.h"
 
+#include "core/base/database_source.h"
+
 #include <gdal_priv.h>
 #include <ogrsf_frmts.h>
 
@@ -71,16 +73,36 @@ void DatasetCloser::operator()(GDALDataset* dataset) const {
     GDALClose(dataset);
 }
 
+namespace {
+
+Result<DatasetPtr> openDatabase(const std::string& source, unsigned flags) {
+    auto connection = checkedConnection(source);
+    if (!connection) return connection.error();
+    GdalMessages messages;
+    const char* const drivers[] = {"PostgreSQL", nullptr};
+    DatasetPtr dataset(GDALDataset::Open(connection->c_str(), flags, drivers));
+    if (dataset != nullptr) return dataset;
+    std::string said = messages.text();
+    while (!said.empty() && said.back() == '\n') said.pop_back();
+    return Error{ErrorCode::Unavailable,
+                 "the database cannot be opened" +
+                     (said.empty() ? std::string() : " (" + withoutSecrets(said, source) + ")"),
+                 shownSource(source)};
+}
+
+} // namespace
+
 Result<DatasetPtr> openVector(const std::string& source, OpenMode mode) {
     registerDrivers();
+    unsigned flags =
+        GDAL_OF_VECTOR | GDAL_OF_VERBOSE_ERROR | (mode == OpenMode::Update ? GDAL_OF_UPDATE : 0U);
+    if (isDatabase(source)) return openDatabase(source, flags);
     if (looksLikePath(source)) {
         std::error_code failure;
         if (!std::filesystem::exists(source, failure))
             return Error{ErrorCode::NotFound, "there is no such file", source};
     }
     GdalMessages messages;
-    unsigned flags =
-        GDAL_OF_VECTOR | GDAL_OF_VERBOSE_ERROR | (mode == OpenMode::Update ? GDAL_OF_UPDATE : 0U);
     DatasetPtr dataset(GDALDataset::Open(source.c_str(), flags));
     if (dataset == nullptr) {
         bool foreign = messages.text().find("not recognized as a supported file format") != std::string::npos;

@@ -20,7 +20,8 @@ using DatasetPtr = std::unique_ptr<GDALDataset, DatasetCloser>;
 enum class OpenMode { ReadOnly, Update };
 
 /// Opens a vector dataset: a file, or an OGR connection string such as "PG:dbname=campus".
-/// NotFound for a missing file, UnsupportedFormat when no driver knows it, Corrupt when the driver gave up.
+/// NotFound for a missing file, UnsupportedFormat when no driver knows it, Corrupt when the driver gave up,
+/// Unavailable for a database that cannot be reached. No message repeats a password.
 Result<DatasetPtr> openVector(const std::string& source, OpenMode mode = OpenMode::ReadOnly);
 
 /// A new, empty GeoPackage; an existing file at the path is an error.

@@ -113,6 +113,8 @@ struct BuildingData {
     std::vector<Landmark> landmarks;
     std::vector<Wall> walls;
     std::map<std::string, std::string> properties; ///< the `farol` layer's other keys
+    /// Of the database it was read from, which a save must find unchanged; empty for all other maps.
+    std::string revision{};
 };
 
 /// An immutable building with its lookups. Indices are positions in the vectors. Neighbours are joined by a

@@ -29,7 +29,7 @@ Result<LoadedBuilding> loadBuilding(const std::string& source);
 /// `farol` are added or changed, never removed. A new file starts as a copy of `origin`, the building file
 /// that the map was read from, so that saving under another name keeps the same. What stands in the file as
 /// it would be written stays to the byte. NoSpace for a full disk; Conflict while another program writes to
-/// the file.
+/// the file. `path` may name a database: see saveToDatabase().
 Result<void> saveBuilding(const Building& building, const std::string& path, const std::string& origin = {});
 
 /// Is that a building file as saveBuilding() writes it, rather than some other table of rooms?

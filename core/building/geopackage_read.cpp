@@ -1,6 +1,8 @@
+#include "core/base/database_source.h"
 #include "core/base/ogr.h"
 #include "core/base/text.h"
 #include "core/building/access_regions.h"
+#include "core/building/database_map.h"
 #include "core/building/feature_row.h"
 #include "core/building/geopackage.h"
 #include "core/building/layer_schema.h"
@@ -23,19 +25,12 @@ namespace {
 
 class Reader {
 public:
-    explicit Reader(std::string source) : m_source(std::move(source)), m_place(shown(m_source)) {}
+    explicit Reader(std::string source) : m_source(std::move(source)), m_place(shownSource(m_source)) {}
 
     Result<LoadedBuilding> read();
 
 private:
     using ReadRow = std::function<void(FeatureRow&)>;
-
-    /// A connection string may hold a password, which must not appear in messages.
-    static std::string shown(const std::string& source) {
-        std::size_t colon = source.find(':');
-        bool connection = colon != std::string::npos && source.find("password") != std::string::npos;
-        return connection ? source.substr(0, colon) + " connection" : source;
-    }
 
     Result<void> readLayers();
     Result<void> readLayer(const LayerSpec& spec, const ReadRow& readRow);
@@ -86,7 +81,15 @@ Result<LoadedBuilding> Reader::read() {
         return error;
     }
     m_dataset = std::move(*opened);
+    bool shared = isDatabase(m_source);
+    if (shared)
+        if (auto held = holdMoment(*m_dataset, m_place); !held) return held.error();
     if (auto done = readLayers(); !done) return done.error();
+    if (shared) {
+        auto revision = mapRevision(*m_dataset, m_place);
+        if (!revision) return revision.error();
+        m_data.revision = *revision;
+    }
     fitTogether();
     LoadedBuilding loaded;
     loaded.building = std::make_shared<const Building>(std::move(m_data));
@@ -357,7 +360,8 @@ Result<LoadedBuilding> loadBuilding(const std::string& source) {
     try {
         return Reader(source).read();
     } catch (const std::exception& failure) {
-        return Error{ErrorCode::Internal, std::string("reading the map failed: ") + failure.what(), source};
+        return Error{ErrorCode::Internal, std::string("reading the map failed: ") + failure.what(),
+                     shownSource(source)};
     }
 }
 

@@ -1,9 +1,12 @@
+#include "core/base/database_source.h"
 #include "core/base/file.h"
 #include "core/base/ogr.h"
 #include "core/base/text.h"
+#include "core/building/database_map.h"
 #include "core/building/geopackage.h"
 #include "core/building/layer_schema.h"
 #include "core/building/layer_writer.h"
+#include "core/building/layers_out.h"
 
 #include <gdal_priv.h>
 #include <ogrsf_frmts.h>
@@ -148,11 +151,9 @@ Result<void> writeFarol(GDALDataset& dataset, const BuildingData& data, const st
     return writer.close(LayerWriter::Missing::Keep);
 }
 
-/// A file of a later Farol may hold what this one would lose.
-Result<void> checkMayWrite(GDALDataset& dataset, const std::string& context) {
-    if (dataset.GetDriverName() != std::string("GPKG"))
-        return Error{ErrorCode::UnsupportedFormat,
-                     "is another kind of file; save under a name that ends in .gpkg", context};
+} // namespace
+
+Result<void> checkNotLater(GDALDataset& dataset, const std::string& context) {
     OGRLayer* farol = dataset.GetLayerByName(farolLayer().name);
     if (farol == nullptr) return {};
     farol->ResetReading();
@@ -162,13 +163,12 @@ Result<void> checkMayWrite(GDALDataset& dataset, const std::string& context) {
         if (key < 0 || value < 0 || std::string(feature->GetFieldAsString(key)) != "schema") continue;
         if (std::atoi(feature->GetFieldAsString(value)) > kSchemaVersion)
             return Error{ErrorCode::UnsupportedFormat,
-                         "the file is of a later Farol; save under another name or use the newer Farol",
+                         "the map there is of a later Farol; save under another name or use the newer Farol",
                          context};
     }
     return {};
 }
 
-/// What a file cannot hold, before anything is written.
 Result<void> checkWritable(const BuildingData& data, const std::string& context) {
     auto wrong = [&](const std::string& layer, const std::string& id, const std::string& why) {
         return Error{ErrorCode::InvalidArgument, why, context + ", layer " + layer + ", feature " + id};
@@ -194,21 +194,34 @@ Result<void> checkWritable(const BuildingData& data, const std::string& context)
     return {};
 }
 
+Result<void> writeLayers(GDALDataset& dataset, const BuildingData& data, const std::string& context) {
+    using Write = Result<void> (*)(GDALDataset&, const BuildingData&, const std::string&);
+    for (Write write :
+         {&writeLevels, &writeRegions, &writeAccesses, &writeLandmarks, &writeWalls, &writeFarol})
+        if (auto written = write(dataset, data, context); !written) return written;
+    return {};
+}
+
+namespace {
+
 Result<void> writeAll(GDALDataset& dataset, const BuildingData& data, const std::string& context) {
     GdalMessages messages;
     if (dataset.StartTransaction() != OGRERR_NONE)
         return messages.error(ErrorCode::Io, "cannot begin to write", context);
-    using Write = Result<void> (*)(GDALDataset&, const BuildingData&, const std::string&);
-    for (Write write :
-         {&writeLevels, &writeRegions, &writeAccesses, &writeLandmarks, &writeWalls, &writeFarol}) {
-        if (auto written = write(dataset, data, context); !written) {
-            dataset.RollbackTransaction();
-            return written;
-        }
+    if (auto written = writeLayers(dataset, data, context); !written) {
+        dataset.RollbackTransaction();
+        return written;
     }
     if (dataset.CommitTransaction() != OGRERR_NONE || messages.failed())
         return messages.error(ErrorCode::Io, "cannot finish writing", context);
     return {};
+}
+
+Result<void> checkMayWrite(GDALDataset& dataset, const std::string& context) {
+    if (dataset.GetDriverName() != std::string("GPKG"))
+        return Error{ErrorCode::UnsupportedFormat,
+                     "is another kind of file; save under a name that ends in .gpkg", context};
+    return checkNotLater(dataset, context);
 }
 
 Result<void> fill(const std::filesystem::path& temporary, const BuildingData& data,
@@ -261,6 +274,10 @@ Result<void> copyOrigin(const std::string& origin, const std::filesystem::path& 
 } // namespace
 
 Result<void> saveBuilding(const Building& building, const std::string& path, const std::string& origin) {
+    if (isDatabase(path)) {
+        auto revision = saveToDatabase(building, path);
+        return revision ? Result<void>() : Result<void>(revision.error());
+    }
     try {
         if (auto writable = checkWritable(building.data(), path); !writable) return writable;
         if (auto settled = settle(path); !settled) return settled;

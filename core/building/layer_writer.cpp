@@ -73,7 +73,7 @@ Result<void> LayerWriter::create() {
     if (reference == nullptr && !m_crs.empty() && m_spec.geometry != wkbNone)
         return Error{ErrorCode::InvalidArgument, "the map's coordinate reference system cannot be understood",
                      m_context};
-    const char* const options[] = {"GEOMETRY_NAME=geom", "FID=fid", nullptr};
+    const char* const options[] = {"GEOMETRY_NAME=geom", "FID=fid", "LAUNDER=NO", nullptr};
     m_layer =
         m_dataset.CreateLayer(m_spec.name, reference.get(), m_spec.geometry, const_cast<char**>(options));
     if (m_layer == nullptr) return failure("cannot create the layer");
@@ -100,15 +100,17 @@ Result<void> LayerWriter::open() {
         if (m_layer->CreateField(&definition) != OGRERR_NONE)
             return failure(std::string("cannot add the field ") + field.name);
     }
-    return indexFeatures();
+    return {};
 }
 
-Result<void> LayerWriter::indexFeatures() {
+/// Once all fields are there. Kept whole: asking a database for each again would take long.
+void LayerWriter::readFeatures() {
+    if (std::exchange(m_read, true)) return;
     m_layer->ResetReading();
-    while (OGRFeatureUniquePtr feature{m_layer->GetNextFeature()})
-        m_old.emplace(keyOf(*feature, m_spec), feature->GetFID());
-    if (m_messages.failed()) return failure("cannot be read to its end");
-    return {};
+    while (OGRFeatureUniquePtr feature{m_layer->GetNextFeature()}) {
+        std::string key = keyOf(*feature, m_spec);
+        m_old.emplace(std::move(key), feature.release());
+    }
 }
 
 Result<void> LayerWriter::addField(const std::string& name, const AttributeValue& value) {
@@ -143,9 +145,10 @@ Result<void> LayerWriter::widenField(int index, int type) {
 OGRFeature& LayerWriter::begin(const std::string& key) {
     m_feature.reset();
     m_before.reset();
+    readFeatures();
     auto old = m_old.find(key);
     if (old != m_old.end()) {
-        m_before.reset(m_layer->GetFeature(old->second));
+        m_before = std::move(old->second);
         m_old.erase(old);
     }
     m_feature = m_before != nullptr ? std::unique_ptr<OGRFeature>(m_before->Clone())
@@ -237,6 +240,7 @@ void LayerWriter::setLine(const Polyline& line) {
 }
 
 Result<void> LayerWriter::finish() {
+    if (m_messages.failed()) return failure("cannot be read to its end");
     if (m_before != nullptr && m_feature->Equal(m_before.get()) != FALSE) return {};
     OGRErr code =
         m_before == nullptr ? m_layer->CreateFeature(m_feature.get()) : m_layer->SetFeature(m_feature.get());
@@ -247,8 +251,11 @@ Result<void> LayerWriter::finish() {
 
 Result<void> LayerWriter::close(Missing missing) {
     if (missing == Missing::Keep) return {};
-    for (const auto& [key, number] : m_old)
-        if (m_layer->DeleteFeature(number) != OGRERR_NONE) return failure("cannot remove the feature " + key);
+    readFeatures();
+    if (m_messages.failed()) return failure("cannot be read to its end");
+    for (const auto& [key, feature] : m_old)
+        if (m_layer->DeleteFeature(feature->GetFID()) != OGRERR_NONE)
+            return failure("cannot remove the feature " + key);
     return {};
 }
 

@@ -41,7 +41,7 @@ public:
 
 private:
     Result<void> create();
-    Result<void> indexFeatures();
+    void readFeatures();
     Result<void> widenField(int index, int type);
     bool crsDiffers() const;
     void setGeometry(OGRGeometry* geometry);
@@ -54,7 +54,8 @@ private:
     std::string m_context;
     GdalMessages m_messages;
     OGRLayer* m_layer = nullptr;
-    std::multimap<std::string, long long> m_old; ///< key -> feature number, of those not written again yet
+    bool m_read = false;
+    std::multimap<std::string, std::unique_ptr<OGRFeature>> m_old; ///< by key, of those not written again yet
     std::unique_ptr<OGRFeature> m_feature;
     std::unique_ptr<OGRFeature> m_before; ///< the feature as it stands in the file; nullptr for a new one
 };

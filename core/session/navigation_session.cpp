@@ -1,5 +1,6 @@
 #include "core/session/navigation_session.h"
 
+#include "core/base/database_source.h"
 #include "core/base/log.h"
 #include "core/session/inbox.h"
 
@@ -291,7 +292,7 @@ NavigationSession::create(std::shared_ptr<const building::Building> building,
     auto impl = std::make_unique<Impl>(options, std::move(handlers));
     if (impl->options.sourceName.empty()) impl->options.sourceName = source->description();
     if (options.recordFolder) {
-        RecordingHeader header{1, impl->options.sourceName, options.mapName, options.libraryName,
+        RecordingHeader header{1, impl->options.sourceName, shownSource(options.mapName), options.libraryName,
                                options.navigator};
         auto recorder = Recorder::create(*options.recordFolder, header, *building);
         if (!recorder) return recorder.error();

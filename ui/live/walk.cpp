@@ -1,5 +1,6 @@
 #include "ui/live/walk.h"
 
+#include "core/base/database_source.h"
 #include "core/recognition/landmark_library.h"
 #include "ui/convert/convert.h"
 
@@ -49,7 +50,7 @@ void Walk::mapLoaded(const QString& path, Result<building::LoadedBuilding> resul
     }
     endSession();
     m_building = result->building;
-    m_mapName = path;
+    m_mapName = toQString(shownSource(toUtf8(path))); // it is shown and remembered: without a password
     m_start.reset();
     m_destination.reset();
     m_shown.reset();

@@ -1,3 +1,4 @@
+#include "core/base/database_source.h"
 #include "core/building/geopackage.h"
 #include "core/building/import/importer.h"
 
@@ -82,6 +83,19 @@ std::optional<ImportedBuilding> asItStands(const SourceListing& source, const Im
     return imported;
 }
 
+/// A map that others share, to be kept in a file or another database.
+Result<ImportedBuilding> fromDatabase(const std::string& source) {
+    auto loaded = loadBuilding(source);
+    if (!loaded) return loaded.error();
+    BuildingData data = loaded->building->data();
+    data.revision.clear(); // of the source, which says nothing of where it goes
+    ImportedBuilding imported;
+    imported.building = std::make_shared<const Building>(std::move(data));
+    imported.format = MapFormat::GeoPackage;
+    imported.findings = checkBuilding(*imported.building);
+    return imported;
+}
+
 } // namespace
 
 std::string mapFormatName(MapFormat format) {
@@ -98,6 +112,7 @@ std::optional<MapFormat> mapFormatFromName(const std::string& name) {
 
 Result<ImportedBuilding> importBuilding(const std::string& source, const ImportOptions& options) {
     try {
+        if (isDatabase(source)) return fromDatabase(source);
         auto listing = listSource(source);
         if (!listing) return listing.error();
         if (auto own = asItStands(*listing, options)) return std::move(*own);

@@ -3,7 +3,6 @@
 
 #include <opencv2/core.hpp>
 
-#include <memory>
 #include <vector>
 
 namespace farol::recognition {
@@ -17,21 +16,36 @@ struct Neighbours {
     std::vector<float> distances; ///< squared
 };
 
-/// Randomised KD-trees, built from a fixed seed so that two programs answer the same.
+/// Lists of like descriptors, two levels deep: a query looks only into the lists whose middles are nearest.
+/// The lists lie in memory in one piece each, which is what makes it fast. Adding appends; the middles are
+/// found anew only when the index has doubled. Fixed seeds: two programs answer the same.
 class ByteIndex {
 public:
-    /// `descriptors` CV_8U x 128, not empty; kept.
-    explicit ByteIndex(cv::Mat descriptors);
-    ~ByteIndex();
-    ByteIndex(const ByteIndex&) = delete;
-    ByteIndex& operator=(const ByteIndex&) = delete;
+    ByteIndex() = default;
+    /// `descriptors` CV_8U x 128; numbered on from the rows already there.
+    void add(const cv::Mat& descriptors);
+    int size() const { return m_rows.rows; }
+    const unsigned char* row(int number) const { return m_rows.ptr(number); }
 
+    /// `checks`: rows compared at most, of the nearest lists; at least one list is looked through.
     Neighbours search(const cv::Mat& queries, int neighbours, int checks) const;
 
 private:
-    struct Trees;
-    cv::Mat m_descriptors;
-    std::unique_ptr<Trees> m_trees;
+    struct List {
+        std::vector<unsigned char> bytes;
+        std::vector<int> numbers;
+    };
+
+    void rebuild();
+    void append(int first);
+    std::size_t nearestList(const unsigned char* row) const;
+
+    cv::Mat m_rows;
+    cv::Mat m_groups;               ///< middles of groups of middles
+    std::vector<cv::Mat> m_middles; ///< of the lists, by group
+    std::vector<std::size_t> m_firstList;
+    std::vector<List> m_lists;
+    int m_builtFor = 0;
 };
 
 struct RowMatch {

@@ -2,6 +2,7 @@
 
 #include "core/base/text.h"
 #include "core/recognition/grey.h"
+#include "core/recognition/root_sift.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,23 +11,7 @@ namespace farol::recognition {
 
 namespace {
 
-constexpr int kDescriptorBytes = 128;
-constexpr int kSmallestSide = 16; // below, SIFT's pyramid has nothing to work on
-
-/// Square roots of the L1-normalised SIFT vector, so that Euclidean distance compares as Hellinger's; as
-/// bytes, whose rounding is far below the noise and which take a quarter of the room.
-cv::Mat rootBytes(const cv::Mat& sift) {
-    cv::Mat bytes(sift.rows, kDescriptorBytes, CV_8U);
-    for (int row = 0; row < sift.rows; ++row) {
-        const float* in = sift.ptr<float>(row);
-        unsigned char* out = bytes.ptr<unsigned char>(row);
-        float sum = 1e-6F;
-        for (int i = 0; i < kDescriptorBytes; ++i) sum += in[i];
-        for (int i = 0; i < kDescriptorBytes; ++i)
-            out[i] = cv::saturate_cast<unsigned char>(512.0F * std::sqrt(in[i] / sum));
-    }
-    return bytes;
-}
+constexpr int kSmallestSide = 16; // below, the pyramid has nothing to work on
 
 } // namespace
 
@@ -51,8 +36,11 @@ std::string ExtractorOptions::description() const {
 }
 
 FeatureExtractor::FeatureExtractor(const ExtractorOptions& options)
-    : m_options(options),
-      m_feature(cv::SIFT::create(options.maxKeypoints, 3, options.contrastThreshold, 10.0, 1.6)) {}
+    : m_options(options), m_space(std::make_unique<ScaleSpace>()) {}
+
+FeatureExtractor::~FeatureExtractor() = default;
+FeatureExtractor::FeatureExtractor(FeatureExtractor&&) noexcept = default;
+FeatureExtractor& FeatureExtractor::operator=(FeatureExtractor&&) noexcept = default;
 
 Features FeatureExtractor::extract(const cv::Mat& image) const {
     Features features;
@@ -62,13 +50,8 @@ Features FeatureExtractor::extract(const cv::Mat& image) const {
     double scale = 1.0;
     cv::Mat small = reduced(grey, m_options.workingLongSide, scale);
     if (std::min(small.cols, small.rows) < kSmallestSide) return features;
-    cv::Mat sift;
-    try {
-        m_feature->detectAndCompute(small, cv::noArray(), features.keypoints, sift);
-    } catch (const cv::Exception&) { // a picture SIFT cannot take has no features
-        features.keypoints.clear();
-        return features;
-    }
+    rootSift(small, {m_options.maxKeypoints, m_options.contrastThreshold}, *m_space, features.keypoints,
+             features.descriptors);
     // Exact, not the requested factor: both sides are rounded to whole pixels.
     double scaleX = static_cast<double>(small.cols) / grey.cols;
     double scaleY = static_cast<double>(small.rows) / grey.rows;
@@ -78,7 +61,6 @@ Features FeatureExtractor::extract(const cv::Mat& image) const {
         point.size = static_cast<float>(point.size / scale);
         point.class_id = 0;
     }
-    if (!features.keypoints.empty()) features.descriptors = rootBytes(sift);
     return features;
 }
 

@@ -6,24 +6,26 @@
 #include "core/base/geometry.h"
 
 #include <opencv2/core.hpp>
-#include <opencv2/features2d.hpp>
 
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace farol::recognition {
 
+struct ScaleSpace;
+
 /// `workingLongSide`: the picture is reduced until its longer side is at most this many pixels (never
 /// enlarged).
 struct ExtractorOptions {
     std::string name = "rootsift";
-    int version = 1; ///< of our own post-processing; a change makes old descriptors incomparable
-    int workingLongSide = 512;
+    int version = 2; ///< of our own post-processing; a change makes old descriptors incomparable
+    int workingLongSide = 640;
     int maxKeypoints = 800;
-    double contrastThreshold = 0.015;
+    double contrastThreshold = 0.01;
 
     Result<void> check() const;
-    /// "rootsift v1 (512 px, 800 keypoints, contrast 0.015)"
+    /// "rootsift v2 (640 px, 800 keypoints, contrast 0.01)"
     std::string description() const;
     friend bool operator==(const ExtractorOptions&, const ExtractorOptions&) = default;
 };
@@ -38,13 +40,16 @@ struct Features {
 class FeatureExtractor {
 public:
     explicit FeatureExtractor(const ExtractorOptions& options);
+    ~FeatureExtractor();
+    FeatureExtractor(FeatureExtractor&&) noexcept;
+    FeatureExtractor& operator=(FeatureExtractor&&) noexcept;
     /// `image` is 8-bit BGR or grey. No keypoints (a blank wall) is a normal answer.
     Features extract(const cv::Mat& image) const;
     const ExtractorOptions& options() const { return m_options; }
 
 private:
     ExtractorOptions m_options;
-    cv::Ptr<cv::Feature2D> m_feature;
+    std::unique_ptr<ScaleSpace> m_space; ///< kept between pictures
 };
 
 } // namespace farol::recognition

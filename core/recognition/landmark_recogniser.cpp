@@ -17,7 +17,7 @@ Result<void> RecogniserOptions::check() const {
     if (neighbours < 2 || neighbours > 64)
         return wrong("between 2 and 64 neighbours are looked at", "neighbours");
     if (searchChecks < 1 || searchChecks > 100000)
-        return wrong("between 1 and 100000 leaves are visited", "searchChecks");
+        return wrong("between 1 and 100000 rows are compared", "searchChecks");
     if (minInliers < 4) return wrong("a homography needs at least 4 inliers", "minInliers");
     if (minPlaceInliers < 8) return wrong("epipolar geometry needs at least 8 inliers", "minPlaceInliers");
     if (!(minPatchCorrelation >= -1.0 && minPatchCorrelation <= 1.0))

@@ -1,7 +1,6 @@
 #include "core/recognition/object_matcher.h"
 
-#include "core/capture/picture.h"
-#include "core/recognition/grey.h"
+#include "core/recognition/object_patch.h"
 #include "core/recognition/view_poses.h"
 
 #include <opencv2/calib3d.hpp>
@@ -17,11 +16,12 @@ namespace farol::recognition {
 
 namespace {
 
-constexpr int kPatch = 64;             // side of the compared patch
-constexpr int kBlock = 16;             // compared block by block, so that a hidden part spoils only its own
-constexpr std::size_t kBestBlocks = 8; // of 16: the other half may be hidden
-constexpr std::size_t kFewestVotes = 4;
-constexpr std::size_t kMostCandidates = 8;
+constexpr std::size_t kFewestVotes = 3;
+constexpr std::size_t kMostCandidates = 16;
+constexpr int kMostOfOneObject = 3; // two extinguishers side by side are two
+constexpr int kManyInliers = 20;
+constexpr double kManyInliersShare = 0.1;
+constexpr int kGuidedDistance = 42000; // squared, of descriptors whose place is foretold
 
 Quad quadFrom(const std::array<cv::Point2f, 4>& corners) {
     Quad quad;
@@ -59,23 +59,6 @@ cv::Point2f centreOf(const std::array<cv::Point2f, 4>& quad) {
     return (quad[0] + quad[1] + quad[2] + quad[3]) * 0.25F;
 }
 
-/// The object as the photograph shows it, on a small square.
-cv::Mat patchOf(const View& view, const Plane& plane) {
-    auto image = capture::decodePicture(view.jpeg, "");
-    if (!image) return {};
-    cv::Mat grey = greyOf(*image);
-    ImageBox box = boundingBox(view.outline);
-    double reduction = std::max(box.width, box.height) / kPatch;
-    cv::GaussianBlur(grey, grey, cv::Size(), std::max(0.5, reduction * 0.225));
-    cv::Matx33d half(1, 0, -0.5, 0, 1, -0.5, 0, 0, 1);
-    cv::Matx33d toPlane(plane.width / kPatch, 0, 0, 0, plane.height / kPatch, 0, 0, 0, 1);
-    cv::Mat patch;
-    cv::warpPerspective(grey, patch, half * planeToQuad(plane, view.outline) * toPlane * half.inv(),
-                        cv::Size(kPatch, kPatch), cv::INTER_LINEAR | cv::WARP_INVERSE_MAP,
-                        cv::BORDER_REPLICATE);
-    return patch;
-}
-
 /// The view that shows most of the object, frontal ones first.
 const View* bestView(const Template& entry) {
     const View* best = nullptr;
@@ -90,19 +73,38 @@ const View* bestView(const Template& entry) {
     return best;
 }
 
-double blockCorrelation(const cv::Mat& a, const cv::Mat& b) {
-    cv::Scalar meanA, meanB, deviationA, deviationB;
-    cv::meanStdDev(a, meanA, deviationA);
-    cv::meanStdDev(b, meanB, deviationB);
-    double sum = 0.0;
-    for (int y = 0; y < a.rows; ++y)
-        for (int x = 0; x < a.cols; ++x)
-            sum += (a.at<unsigned char>(y, x) - meanA[0]) * (b.at<unsigned char>(y, x) - meanB[0]);
-    // The 3 grey levels keep two flat blocks from agreeing by their noise.
-    return sum / static_cast<double>(a.total()) / ((deviationA[0] + 3.0) * (deviationB[0] + 3.0));
-}
-
 } // namespace
+
+/// The frame's keypoints by where they lie.
+class ObjectMatcher::FrameGrid {
+public:
+    explicit FrameGrid(const Features& frame, cv::Size size)
+        : m_columns(size.width / kCell + 1),
+          m_rows(size.height / kCell + 1),
+          m_cells(static_cast<std::size_t>(m_columns * m_rows)) {
+        for (std::size_t i = 0; i < frame.keypoints.size(); ++i) {
+            const cv::Point2f& at = frame.keypoints[i].pt;
+            m_cells[static_cast<std::size_t>(row(at.y) * m_columns + column(at.x))].push_back(
+                static_cast<int>(i));
+        }
+    }
+
+    template <class Visit>
+    void near(const cv::Point2f& at, float reach, Visit visit) const {
+        for (int y = row(at.y - reach); y <= row(at.y + reach); ++y)
+            for (int x = column(at.x - reach); x <= column(at.x + reach); ++x)
+                for (int i : m_cells[static_cast<std::size_t>(y * m_columns + x)]) visit(i);
+    }
+
+private:
+    static constexpr int kCell = 16;
+
+    int column(float x) const { return std::clamp(static_cast<int>(x) / kCell, 0, m_columns - 1); }
+    int row(float y) const { return std::clamp(static_cast<int>(y) / kCell, 0, m_rows - 1); }
+
+    int m_columns, m_rows;
+    std::vector<std::vector<int>> m_cells;
+};
 
 ObjectMatcher::ObjectMatcher(const LandmarkLibrary& library, const RecogniserOptions& options)
     : m_options(options) {
@@ -112,46 +114,55 @@ ObjectMatcher::ObjectMatcher(const LandmarkLibrary& library, const RecogniserOpt
     if (m_rows.empty()) return;
     cv::Mat all;
     cv::vconcat(descriptors, all);
-    m_index = std::make_unique<ByteIndex>(all);
+    m_index.add(all);
 }
 
 void ObjectMatcher::addObject(const Template& entry, std::vector<cv::Mat>& descriptors) {
     const View& best = *bestView(entry);
     Plane plane = planeOf(best.outline, entry.widthM, entry.heightM);
     Object object{&entry, cv::Point2f(static_cast<float>(plane.width), static_cast<float>(plane.height)),
-                  patchOf(best, plane)};
-    int number = static_cast<int>(m_objects.size());
+                  patchOf(best, plane), static_cast<int>(m_rows.size()), 0};
     for (const View& view : entry.views) {
-        cv::Matx33d photoToPlane = planeToQuad(plane, view.outline).inv();
-        Plane posePlane = planeOf(view.outline, {}, {}); // as at training
-        cv::Matx33d photoToPosePlane = planeToQuad(posePlane, view.outline).inv();
-        std::array<cv::Matx33d, kPoseCount + 1> photoToPicture;
-        std::array<std::array<cv::Point2f, 4>, kPoseCount + 1> quads;
-        for (int pose = 0; pose <= kPoseCount; ++pose) {
-            auto at = static_cast<std::size_t>(pose);
-            auto posed = pose > 0 ? posedView(posePlane, pose, posedLongSide(view.outline)) : std::nullopt;
-            photoToPicture[at] = posed ? posed->planeToPicture * photoToPosePlane : cv::Matx33d::eye();
-            quads[at] = mapped(photoToPicture[at] * planeToQuad(plane, view.outline), plane.corners());
-        }
-        for (const cv::KeyPoint& point : view.features.keypoints) {
-            auto pose = static_cast<std::size_t>(std::clamp(point.class_id, 0, kPoseCount));
-            cv::Point2f seen = mapped(photoToPicture[pose], cv::Point2d(point.pt));
-            Row row;
-            row.object = number;
-            row.onPlane = mapped(photoToPlane, cv::Point2d(point.pt));
-            row.toCentre = centreOf(quads[pose]) - seen;
-            row.size = std::max(point.size, 1e-3F);
-            row.angle = point.angle;
-            row.extent = std::max(extentOf(quads[pose]), 1.0F);
-            m_rows.push_back(row);
-        }
+        addView(view, static_cast<int>(m_objects.size()), plane);
         if (view.features.descriptors.rows > 0) descriptors.push_back(view.features.descriptors);
     }
+    object.rowCount = static_cast<int>(m_rows.size()) - object.firstRow;
     m_objects.push_back(std::move(object));
 }
 
+void ObjectMatcher::addView(const View& view, int object, const Plane& plane) {
+    cv::Matx33d planeToPhoto = planeToQuad(plane, view.outline);
+    cv::Matx33d photoToPlane = planeToPhoto.inv();
+    Plane posePlane = planeOf(view.outline, {}, {}); // as at training
+    cv::Matx33d photoToPosePlane = planeToQuad(posePlane, view.outline).inv();
+    auto firstLook = static_cast<int>(m_looks.size());
+    std::array<cv::Matx33d, kPoseCount + 1> photoToPicture;
+    for (int pose = 0; pose <= kPoseCount; ++pose) {
+        auto at = static_cast<std::size_t>(pose);
+        auto posed = pose > 0 ? posedView(posePlane, pose, posedLongSide(view.outline)) : std::nullopt;
+        photoToPicture[at] = posed ? posed->planeToPicture * photoToPosePlane : cv::Matx33d::eye();
+        Look look{photoToPicture[at] * planeToPhoto, {}, 1.0F};
+        auto quad = mapped(look.planeToPicture, plane.corners());
+        look.centre = centreOf(quad);
+        look.extent = std::max(extentOf(quad), 1.0F);
+        m_looks.push_back(look);
+    }
+    for (const cv::KeyPoint& point : view.features.keypoints) {
+        int pose = std::clamp(point.class_id, 0, kPoseCount);
+        cv::Point2f seen = mapped(photoToPicture[static_cast<std::size_t>(pose)], cv::Point2d(point.pt));
+        Row row;
+        row.object = object;
+        row.look = firstLook + pose;
+        row.onPlane = mapped(photoToPlane, cv::Point2d(point.pt));
+        row.toCentre = m_looks[static_cast<std::size_t>(row.look)].centre - seen;
+        row.size = std::max(point.size, 1e-3F);
+        row.angle = point.angle;
+        m_rows.push_back(row);
+    }
+}
+
 std::vector<std::vector<ObjectMatcher::Pair>> ObjectMatcher::pairsByObject(const Features& frame) const {
-    Neighbours near = m_index->search(frame.descriptors, m_options.neighbours, m_options.searchChecks);
+    Neighbours near = m_index.search(frame.descriptors, m_options.neighbours, m_options.searchChecks);
     std::vector<std::vector<Pair>> pairs(m_objects.size());
     for (int query = 0; query < frame.descriptors.rows; ++query) {
         std::size_t first = static_cast<std::size_t>(query) * static_cast<std::size_t>(near.each);
@@ -172,126 +183,236 @@ std::vector<std::vector<ObjectMatcher::Pair>> ObjectMatcher::pairsByObject(const
     return pairs;
 }
 
-ObjectMatcher::Candidate ObjectMatcher::largestCluster(int object, const std::vector<Pair>& pairs,
-                                                       const Features& frame) const {
-    struct Vote {
-        cv::Point2f centre;
-        float logExtent, angle;
-    };
+ObjectMatcher::Vote ObjectMatcher::voteOf(const Pair& pair, const Features& frame) const {
+    const cv::KeyPoint& seen = frame.keypoints[static_cast<std::size_t>(pair.query)];
+    const Row& row = m_rows[static_cast<std::size_t>(pair.row)];
+    float scale = seen.size / row.size;
+    float angle = (seen.angle - row.angle) * static_cast<float>(kPi / 180.0);
+    cv::Point2f t = row.toCentre;
+    cv::Point2f turned(t.x * std::cos(angle) - t.y * std::sin(angle),
+                       t.x * std::sin(angle) + t.y * std::cos(angle));
+    return {seen.pt + turned * scale, std::log2(scale * m_looks[static_cast<std::size_t>(row.look)].extent),
+            angle};
+}
+
+std::optional<ObjectMatcher::Candidate>
+ObjectMatcher::largestCluster(int object, const std::vector<Pair>& pairs, const Features& frame) const {
     std::vector<Vote> votes;
-    for (const Pair& pair : pairs) {
-        const cv::KeyPoint& seen = frame.keypoints[static_cast<std::size_t>(pair.query)];
-        const Row& row = m_rows[static_cast<std::size_t>(pair.row)];
-        float scale = seen.size / row.size;
-        float angle = (seen.angle - row.angle) * static_cast<float>(kPi / 180.0);
-        cv::Point2f t = row.toCentre;
-        cv::Point2f turned(t.x * std::cos(angle) - t.y * std::sin(angle),
-                           t.x * std::sin(angle) + t.y * std::cos(angle));
-        votes.push_back({seen.pt + turned * scale, std::log2(scale * row.extent), angle});
-    }
-    auto agree = [&](const Vote& a, const Vote& b, float reach, float logScale, float cosine) {
+    for (const Pair& pair : pairs) votes.push_back(voteOf(pair, frame));
+    auto agree = [](const Vote& a, const Vote& b, float reach, float logScale, float cosine) {
         return cv::norm(a.centre - b.centre) < reach * std::exp2(a.logExtent) &&
                std::abs(a.logExtent - b.logExtent) < logScale && std::cos(a.angle - b.angle) > cosine;
     };
     std::size_t most = 0;
-    const Vote* seed = nullptr;
-    for (const Vote& vote : votes) {
+    std::size_t seed = 0;
+    for (std::size_t i = 0; i < votes.size(); ++i) {
         auto count =
             static_cast<std::size_t>(std::count_if(votes.begin(), votes.end(), [&](const Vote& other) {
-                return agree(vote, other, 0.35F, 0.8F, 0.8F);
+                return agree(votes[i], other, 0.35F, 0.8F, 0.8F);
             }));
         if (count > most) {
             most = count;
-            seed = &vote;
+            seed = i;
         }
     }
+    if (most < kFewestVotes) return std::nullopt;
     Candidate candidate;
     candidate.object = object;
-    if (most < kFewestVotes) return candidate;
-    for (std::size_t i = 0; i < votes.size(); ++i)
-        if (agree(*seed, votes[i], 0.6F, 1.2F, 0.5F)) candidate.pairs.push_back(pairs[i]);
-    std::stable_sort(candidate.pairs.begin(), candidate.pairs.end(),
-                     [](const Pair& a, const Pair& b) { return a.ratio < b.ratio; });
+    candidate.look = m_rows[static_cast<std::size_t>(pairs[seed].row)].look;
+    float count = 0.0F, sine = 0.0F, cosine = 0.0F;
+    for (std::size_t i = 0; i < votes.size(); ++i) {
+        if (!agree(votes[seed], votes[i], 0.6F, 1.2F, 0.5F)) continue;
+        candidate.pairs.push_back(pairs[i]);
+        candidate.weight += 1.05 - static_cast<double>(pairs[i].ratio);
+        if (!agree(votes[seed], votes[i], 0.35F, 0.8F, 0.8F)) continue;
+        count += 1.0F;
+        candidate.where.centre += votes[i].centre;
+        candidate.where.logExtent += votes[i].logExtent;
+        sine += std::sin(votes[i].angle);
+        cosine += std::cos(votes[i].angle);
+    }
+    candidate.where.centre *= 1.0F / count;
+    candidate.where.logExtent /= count;
+    candidate.where.angle = std::atan2(sine, cosine);
+    candidate.logScale =
+        candidate.where.logExtent - std::log2(m_looks[static_cast<std::size_t>(candidate.look)].extent);
     return candidate;
 }
 
-double ObjectMatcher::patchCorrelation(const Object& object, const cv::Mat& grey,
-                                       const cv::Matx33d& planeToFrame) const {
-    if (object.patch.empty()) return 1.0; // the photograph is gone: geometry alone decides
-    cv::Matx33d half(1, 0, -0.5, 0, 1, -0.5, 0, 0, 1);
-    cv::Matx33d toPlane(object.planeSize.x / kPatch, 0, 0, 0, object.planeSize.y / kPatch, 0, 0, 0, 1);
-    cv::Mat seen;
-    cv::warpPerspective(grey, seen, half * planeToFrame * toPlane * half.inv(), cv::Size(kPatch, kPatch),
-                        cv::INTER_LINEAR | cv::WARP_INVERSE_MAP, cv::BORDER_REPLICATE);
-    std::vector<double> blocks;
-    for (int y = 0; y < kPatch; y += kBlock)
-        for (int x = 0; x < kPatch; x += kBlock) {
-            cv::Rect block(x, y, kBlock, kBlock);
-            blocks.push_back(blockCorrelation(seen(block), object.patch(block)));
-        }
-    std::sort(blocks.begin(), blocks.end(), std::greater<>());
-    return std::accumulate(blocks.begin(), blocks.begin() + kBestBlocks, 0.0) /
-           static_cast<double>(kBestBlocks);
+/// The look's picture of the plane, turned and grown as the votes say.
+cv::Matx33d ObjectMatcher::placed(const Candidate& candidate) const {
+    const Look& look = m_looks[static_cast<std::size_t>(candidate.look)];
+    double scale = std::exp2(static_cast<double>(candidate.logScale));
+    double c = scale * std::cos(candidate.where.angle), s = scale * std::sin(candidate.where.angle);
+    cv::Matx33d from(1, 0, -look.centre.x, 0, 1, -look.centre.y, 0, 0, 1);
+    cv::Matx33d to(c, -s, candidate.where.centre.x, s, c, candidate.where.centre.y, 0, 0, 1);
+    return to * from * look.planeToPicture;
 }
 
-void ObjectMatcher::verify(const Candidate& candidate, const cv::Mat& grey, const Features& frame,
-                           DetectorResult& result) const {
+/// With a foretold place a match needs no ratio test: each keypoint near a row's place that is about as large
+/// and as turned as it should be, and alike enough.
+std::vector<ObjectMatcher::Pair> ObjectMatcher::guided(const Candidate& candidate,
+                                                       const cv::Matx33d& planeToFrame, double reach,
+                                                       const Features& frame, const FrameGrid& grid) const {
+    const Object& object = m_objects[static_cast<std::size_t>(candidate.object)];
+    auto radius = static_cast<float>(reach);
+    float turn = candidate.where.angle * static_cast<float>(180.0 / kPi);
+    float extent = std::exp2(candidate.where.logExtent);
+    struct Nearest {
+        int row = -1, distance = kGuidedDistance;
+    };
+    std::map<int, Nearest> best;
+    for (int number = object.firstRow; number < object.firstRow + object.rowCount; ++number) {
+        const Row& row = m_rows[static_cast<std::size_t>(number)];
+        cv::Point2f at = mapped(planeToFrame, cv::Point2d(row.onPlane));
+        float size = row.size * extent / m_looks[static_cast<std::size_t>(row.look)].extent;
+        grid.near(at, radius, [&](int query) {
+            const cv::KeyPoint& seen = frame.keypoints[static_cast<std::size_t>(query)];
+            cv::Point2f off = seen.pt - at;
+            if (off.dot(off) > radius * radius || seen.size > 1.8F * size || size > 1.8F * seen.size) return;
+            float angle = std::abs(std::remainder(seen.angle - row.angle - turn, 360.0F));
+            if (angle > 40.0F) return;
+            int distance = byteDistance(frame.descriptors.ptr(query), m_index.row(number));
+            if (distance >= kGuidedDistance) return;
+            Nearest& nearest = best[query];
+            if (distance < nearest.distance) nearest = {number, distance};
+        });
+    }
+    std::vector<Pair> pairs;
+    for (const auto& [query, nearest] : best)
+        if (nearest.row >= 0) pairs.push_back({query, nearest.row, static_cast<float>(nearest.distance)});
+    return pairs;
+}
+
+ObjectMatcher::Fit ObjectMatcher::judged(const Object& object, const cv::Matx33d& planeToFrame,
+                                         const std::vector<Pair>& pairs, const cv::Mat& grey,
+                                         const Features& frame, double reach) const {
+    Fit fit;
+    fit.planeToFrame = planeToFrame;
+    for (const Pair& pair : pairs) {
+        cv::Point2d at =
+            mapped(planeToFrame, cv::Point2d(m_rows[static_cast<std::size_t>(pair.row)].onPlane));
+        cv::Point2d seen(frame.keypoints[static_cast<std::size_t>(pair.query)].pt);
+        if (cv::norm(at - seen) < reach) ++fit.inliers;
+    }
+    fit.correlation = patchCorrelation(object.patch, object.planeSize, grey, planeToFrame);
+    return fit;
+}
+
+std::optional<ObjectMatcher::Fit> ObjectMatcher::fitted(const Candidate& candidate, const cv::Mat& grey,
+                                                        const Features& frame, const FrameGrid& grid) const {
+    const Object& object = m_objects[static_cast<std::size_t>(candidate.object)];
+    // Pixels of a picture 640 wide, whatever the camera gives.
+    double reach = m_options.reprojectionPx * std::max(grey.cols, grey.rows) / 640.0;
+    double extent = std::exp2(static_cast<double>(candidate.where.logExtent));
+    auto points = [&](const std::vector<Pair>& pairs, const cv::Matx33d* through) {
+        std::pair<std::vector<cv::Point2f>, std::vector<cv::Point2f>> both;
+        for (const Pair& pair : pairs) {
+            cv::Point2d plane(m_rows[static_cast<std::size_t>(pair.row)].onPlane);
+            both.first.push_back(through != nullptr ? mapped(*through, plane) : plane);
+            both.second.push_back(frame.keypoints[static_cast<std::size_t>(pair.query)].pt);
+        }
+        return both;
+    };
+    // What the votes foretell is corrected by an affinity, which few matches determine well.
+    cv::Matx33d place = placed(candidate);
+    std::vector<Pair> pairs = guided(candidate, place, std::max(2.0 * reach, 0.15 * extent), frame, grid);
+    for (double within : {2.0, 1.0}) {
+        if (pairs.size() < 4) return std::nullopt;
+        auto [foretold, seen] = points(pairs, &place);
+        cv::Mat affinity =
+            cv::estimateAffine2D(foretold, seen, cv::noArray(), cv::RANSAC, within * reach, 500);
+        if (affinity.empty()) return std::nullopt;
+        const auto* a = affinity.ptr<double>();
+        place = cv::Matx33d(a[0], a[1], a[2], a[3], a[4], a[5], 0, 0, 1) * place;
+        pairs = guided(candidate, place, 2.5 * reach, frame, grid);
+    }
+    Fit best = judged(object, place, pairs, grey, frame, reach);
+    if (pairs.size() < 8) return best;
+    auto [plane, seen] = points(pairs, nullptr);
+    cv::Mat estimate =
+        cv::findHomography(plane, seen, cv::USAC_MAGSAC, 0.75 * reach, cv::noArray(), 500, 0.999);
+    if (estimate.empty()) return best;
+    cv::Matx33d full(estimate);
+    Plane shape{object.planeSize.x, object.planeSize.y};
+    if (insaneQuad(mapped(full, shape.corners()), grey.size()) != nullptr) return best;
+    Fit better = judged(object, full, guided(candidate, full, 1.5 * reach, frame, grid), grey, frame, reach);
+    return better.inliers >= best.inliers && better.correlation > best.correlation - 0.05 ? better : best;
+}
+
+bool ObjectMatcher::verify(const Candidate& candidate, const cv::Mat& grey, const Features& frame,
+                           const FrameGrid& grid, DetectorResult& result) const {
     const Object& object = m_objects[static_cast<std::size_t>(candidate.object)];
     Rejection rejection{"landmarks", object.entry->kind, object.entry->id, {}, "", 0.0};
     auto reject = [&](const char* reason, double value) {
         rejection.reason = reason;
         rejection.value = value;
         result.rejections.push_back(rejection);
+        return false;
     };
-    std::vector<cv::Point2f> plane, seen;
-    for (const Pair& pair : candidate.pairs) {
-        plane.push_back(m_rows[static_cast<std::size_t>(pair.row)].onPlane);
-        seen.push_back(frame.keypoints[static_cast<std::size_t>(pair.query)].pt);
-    }
-    // Pixels of a picture 640 wide, whatever the camera gives.
-    double reach = m_options.reprojectionPx * std::max(grey.cols, grey.rows) / 640.0;
-    cv::Mat estimate;
+    std::optional<Fit> fit;
     try {
-        estimate = cv::findHomography(plane, seen, cv::USAC_MAGSAC, 0.75 * reach, cv::noArray(), 500, 0.999);
+        fit = fitted(candidate, grey, frame, grid);
     } catch (const cv::Exception&) { // all points on one line, for example
     }
-    if (estimate.empty()) return reject("no_homography", static_cast<double>(candidate.pairs.size()));
-    cv::Matx33d planeToFrame(estimate);
+    if (!fit) return reject("no_homography", static_cast<double>(candidate.pairs.size()));
     Plane shape{object.planeSize.x, object.planeSize.y};
-    auto corners = mapped(planeToFrame, shape.corners());
+    auto corners = mapped(fit->planeToFrame, shape.corners());
     rejection.quad = quadFrom(corners);
     if (const char* reason = insaneQuad(corners, grey.size()))
         return reject(reason, static_cast<double>(candidate.pairs.size()));
-    int inliers = 0;
-    for (std::size_t i = 0; i < plane.size(); ++i)
-        if (cv::norm(mapped(planeToFrame, cv::Point2d(plane[i])) - cv::Point2d(seen[i])) < reach) ++inliers;
-    if (inliers < m_options.minInliers) return reject("few_inliers", inliers);
-    double correlation = patchCorrelation(object, grey, planeToFrame);
-    if (correlation < m_options.minPatchCorrelation) return reject("low_patch_correlation", correlation);
+    if (fit->inliers < m_options.minInliers) return reject("few_inliers", fit->inliers);
+    // Where very many points fit, light and blur may have changed the grey values more.
+    double wanted = m_options.minPatchCorrelation - (fit->inliers >= kManyInliers ? kManyInliersShare : 0.0);
+    if (fit->correlation < wanted) return reject("low_patch_correlation", fit->correlation);
     Detection detection;
     detection.kind = object.entry->kind;
     detection.templateId = object.entry->id;
     detection.quad = rejection.quad;
     detection.image = {grey.cols, grey.rows};
-    detection.inliers = inliers;
-    detection.score = std::clamp(0.5 * inliers / (inliers + 8.0) + 0.5 * correlation, 0.0, 1.0);
+    detection.inliers = fit->inliers;
+    detection.score =
+        std::clamp(0.5 * fit->inliers / (fit->inliers + 8.0) + 0.5 * fit->correlation, 0.0, 1.0);
     result.detections.push_back(std::move(detection));
+    return true;
+}
+
+std::vector<ObjectMatcher::Candidate> ObjectMatcher::candidates(const Features& frame) const {
+    std::vector<Candidate> found;
+    auto pairs = pairsByObject(frame);
+    for (std::size_t object = 0; object < pairs.size(); ++object) {
+        std::vector<Pair> left = std::move(pairs[object]);
+        for (int nth = 0; nth < kMostOfOneObject && left.size() >= kFewestVotes; ++nth) {
+            auto candidate = largestCluster(static_cast<int>(object), left, frame);
+            if (!candidate) break;
+            std::erase_if(left, [&](const Pair& pair) {
+                return std::any_of(candidate->pairs.begin(), candidate->pairs.end(),
+                                   [&](const Pair& used) { return used.query == pair.query; });
+            });
+            found.push_back(std::move(*candidate));
+        }
+    }
+    std::stable_sort(found.begin(), found.end(),
+                     [](const Candidate& a, const Candidate& b) { return a.weight > b.weight; });
+    if (found.size() > kMostCandidates) found.resize(kMostCandidates);
+    return found;
 }
 
 DetectorResult ObjectMatcher::match(const cv::Mat& grey, const Features& frame) const {
     DetectorResult result;
     if (empty() || frame.keypoints.empty()) return result;
-    auto pairs = pairsByObject(frame);
-    std::vector<Candidate> candidates;
-    for (std::size_t object = 0; object < pairs.size(); ++object) {
-        if (pairs[object].size() < kFewestVotes) continue;
-        Candidate candidate = largestCluster(static_cast<int>(object), pairs[object], frame);
-        if (candidate.pairs.size() >= kFewestVotes) candidates.push_back(std::move(candidate));
+    FrameGrid grid(frame, grey.size());
+    for (const Candidate& candidate : candidates(frame)) {
+        // What lies inside an object already found is not found once more.
+        bool taken =
+            std::any_of(result.detections.begin(), result.detections.end(), [&](const Detection& known) {
+                std::vector<cv::Point2f> border;
+                for (const ImagePoint& p : known.quad)
+                    border.emplace_back(static_cast<float>(p.x), static_cast<float>(p.y));
+                return cv::pointPolygonTest(border, candidate.where.centre, false) >= 0.0;
+            });
+        if (!taken) verify(candidate, grey, frame, grid, result);
     }
-    std::stable_sort(candidates.begin(), candidates.end(),
-                     [](const Candidate& a, const Candidate& b) { return a.pairs.size() > b.pairs.size(); });
-    if (candidates.size() > kMostCandidates) candidates.resize(kMostCandidates);
-    for (const Candidate& candidate : candidates) verify(candidate, grey, frame, result);
     std::stable_sort(result.detections.begin(), result.detections.end(),
                      [](const Detection& a, const Detection& b) { return a.score > b.score; });
     return result;

@@ -121,7 +121,8 @@ PlaceMatcher::PlaceMatcher(const LandmarkLibrary& library, const RecogniserOptio
     if (m_views.empty()) return;
     cv::Mat all;
     cv::vconcat(descriptors, all);
-    m_index = std::make_unique<ByteIndex>(all);
+    m_index = std::make_unique<ByteIndex>();
+    m_index->add(all);
 }
 
 std::vector<int> PlaceMatcher::candidates(const Features& frame) const {

@@ -15,7 +15,7 @@ namespace farol::recognition {
 
 /// Keypoints carry in class_id the pose they were seen from: 0 is the photograph itself, 1 to kPoseCount
 /// these.
-inline constexpr int kPoseCount = 7;
+inline constexpr int kPoseCount = 13;
 
 /// The plane's own coordinates: its rectangle from (0, 0), the longer side 400 units.
 struct Plane {

@@ -45,7 +45,7 @@ std::vector<float> distancesFrom(std::size_t nodes, Node start, const ArcsOf& ar
 
 } // namespace
 
-LandmarkBounds::LandmarkBounds(const PortalGraph& graph) {
+LandmarkBounds::LandmarkBounds(const PortalGraph& graph) : m_states(graph.stateCount()) {
     std::size_t nodes = graph.nodeCount();
     if (nodes < kLeastNodes) return;
     Reverse reverse;
@@ -134,7 +134,9 @@ double LandmarkBounds::Goal::bound(Node node, std::size_t i) const {
     // Where a landmark cannot be reached, or reaches nothing here, it tells nothing.
     if (std::isfinite(here.from[i]) && std::isfinite(m_distances.from[i]))
         best = std::max(best, static_cast<double>(m_distances.from[i] - here.from[i]));
-    if (std::isfinite(here.to[i]) && std::isfinite(m_distances.to[i]))
+    // One leaves a bend only where a taut way would: from the goal it may be nearer to a landmark than the
+    // bend's own ways and the way to the goal say.
+    if (node < m_bounds.m_states && std::isfinite(here.to[i]) && std::isfinite(m_distances.to[i]))
         best = std::max(best, static_cast<double>(here.to[i] - m_distances.to[i]));
     return best;
 }

@@ -59,6 +59,7 @@ private:
     void fill(const PortalGraph& graph, const Reverse& reverse, PortalGraph::Node landmark);
     std::vector<float> nearest() const;
 
+    std::size_t m_states; ///< nodes from here on are bends
     std::size_t m_count = 0;
     std::vector<Distances> m_distances;
 };

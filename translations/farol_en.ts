@@ -2,6 +2,40 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
+    <name>farol::ui::FeaturePanel</name>
+    <message numerus="yes">
+        <source>%n row(s)</source>
+        <translation>
+            <numerusform>%n row</numerusform>
+            <numerusform>%n rows</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n row(s)</source>
+        <translation>
+            <numerusform>%1 of %n row</numerusform>
+            <numerusform>%1 of %n rows</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::FindingModel</name>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>and %n more</numerusform>
+            <numerusform>and %n more</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n finding(s)</source>
+        <translation>
+            <numerusform>%n finding</numerusform>
+            <numerusform>%n findings</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>farol::ui::FramePanel</name>
     <message numerus="yes">
         <source>%n left out because late</source>
@@ -78,6 +112,64 @@
         <translation>
             <numerusform>%n place fits: choose it</numerusform>
             <numerusform>%n places fit: choose one</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::PlanPanel</name>
+    <message numerus="yes">
+        <source>%1: %n region(s), %2</source>
+        <translation>
+            <numerusform>%1: %n region, %2</numerusform>
+            <numerusform>%1: %n regions, %2</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n landmark(s)</source>
+        <translation>
+            <numerusform>%n landmark</numerusform>
+            <numerusform>%n landmarks</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::ReportPanel</name>
+    <message numerus="yes">
+        <source>%n error(s)</source>
+        <translation>
+            <numerusform>%n error</numerusform>
+            <numerusform>%n errors</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n warning(s)</source>
+        <translation>
+            <numerusform>%n warning</numerusform>
+            <numerusform>%n warnings</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n note(s)</source>
+        <translation>
+            <numerusform>%n note</numerusform>
+            <numerusform>%n notes</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::RoutePanel</name>
+    <message numerus="yes">
+        <source>%1 m, about %n minute(s), through %2.</source>
+        <translation>
+            <numerusform>%1 m, about %n minute, through %2.</numerusform>
+            <numerusform>%1 m, about %n minutes, through %2.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n door(s) and passage(s)</source>
+        <translation>
+            <numerusform>%n door or passage</numerusform>
+            <numerusform>%n doors and passages</numerusform>
         </translation>
     </message>
 </context>

@@ -48,6 +48,97 @@
     </message>
 </context>
 <context>
+    <name>farol::ui::AccessDialog</name>
+    <message>
+        <source>Door or passage %1</source>
+        <translation>Porta ou passagem %1</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Tipo</translation>
+    </message>
+    <message>
+        <source>What sort of passage it is</source>
+        <translation>Que tipo de passagem é</translation>
+    </message>
+    <message>
+        <source>Type part of a name, room number or level, then choose</source>
+        <translation>Escreva parte de um nome, número de sala ou piso, e escolha</translation>
+    </message>
+    <message>
+        <source>One side</source>
+        <translation>Um lado</translation>
+    </message>
+    <message>
+        <source>Other side</source>
+        <translation>Outro lado</translation>
+    </message>
+    <message>
+        <source>both ways</source>
+        <translation>nos dois sentidos</translation>
+    </message>
+    <message>
+        <source>from the one side to the other only</source>
+        <translation>só do primeiro lado para o outro</translation>
+    </message>
+    <message>
+        <source>from the other side to the one only</source>
+        <translation>só do outro lado para o primeiro</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Sentido</translation>
+    </message>
+    <message>
+        <source>Which way one can pass</source>
+        <translation>Em que sentido se pode passar</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Largura</translation>
+    </message>
+    <message>
+        <source>How wide the door is</source>
+        <translation>Que largura tem a porta</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>desconhecido</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Degraus</translation>
+    </message>
+    <message>
+        <source>How many steps the stairs have</source>
+        <translation>Quantos degraus tem a escada</translation>
+    </message>
+    <message>
+        <source>East</source>
+        <translation>Este</translation>
+    </message>
+    <message>
+        <source>Place on the map, metres to the east</source>
+        <translation>Lugar no mapa, metros para este</translation>
+    </message>
+    <message>
+        <source>North</source>
+        <translation>Norte</translation>
+    </message>
+    <message>
+        <source>Place on the map, metres to the north</source>
+        <translation>Lugar no mapa, metros para norte</translation>
+    </message>
+    <message>
+        <source>Closed</source>
+        <translation>Fechada</translation>
+    </message>
+    <message>
+        <source>Nobody can pass</source>
+        <translation>Ninguém pode passar</translation>
+    </message>
+</context>
+<context>
     <name>farol::ui::Banner</name>
     <message>
         <source>Note</source>
@@ -87,6 +178,226 @@
     <message>
         <source>Name</source>
         <translation>Nome</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>Onde</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::FeatureDialog</name>
+    <message>
+        <source>%1:</source>
+        <translation>%1:</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>desconhecido</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::FeatureModel</name>
+    <message>
+        <source>Name</source>
+        <translation>Nome</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Número</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Tipo</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Piso</translation>
+    </message>
+    <message>
+        <source>Area (m²)</source>
+        <translation>Área (m²)</translation>
+    </message>
+    <message>
+        <source>Doors</source>
+        <translation>Portas</translation>
+    </message>
+    <message>
+        <source>Neighbours</source>
+        <translation>Vizinhos</translation>
+    </message>
+    <message>
+        <source>Seen</source>
+        <translation>Referências</translation>
+    </message>
+    <message>
+        <source>Restricted</source>
+        <translation>Reservado</translation>
+    </message>
+    <message>
+        <source>Id</source>
+        <translation>Identificador</translation>
+    </message>
+    <message>
+        <source>One side</source>
+        <translation>Um lado</translation>
+    </message>
+    <message>
+        <source>Other side</source>
+        <translation>Outro lado</translation>
+    </message>
+    <message>
+        <source>Width (m)</source>
+        <translation>Largura (m)</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Degraus</translation>
+    </message>
+    <message>
+        <source>One way</source>
+        <translation>Sentido único</translation>
+    </message>
+    <message>
+        <source>Closed</source>
+        <translation>Fechada</translation>
+    </message>
+    <message>
+        <source>Shaft</source>
+        <translation>Caixa</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Texto</translation>
+    </message>
+    <message>
+        <source>Region</source>
+        <translation>Espaço</translation>
+    </message>
+    <message>
+        <source>Faces (°)</source>
+        <translation>Virado a (°)</translation>
+    </message>
+    <message>
+        <source>Height (m)</source>
+        <translation>Altura (m)</translation>
+    </message>
+    <message>
+        <source>Wide (m)</source>
+        <translation>Largo (m)</translation>
+    </message>
+    <message>
+        <source>Tall (m)</source>
+        <translation>Alto (m)</translation>
+    </message>
+    <message>
+        <source>Trained as</source>
+        <translation>Aprendido como</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>sim</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::FeaturePanel</name>
+    <message numerus="yes">
+        <source>%n row(s)</source>
+        <translation>
+            <numerusform>%n linha</numerusform>
+            <numerusform>%n linhas</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n row(s)</source>
+        <translation>
+            <numerusform>%1 de %n linha</numerusform>
+            <numerusform>%1 de %n linhas</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Regions</source>
+        <translation>Espaços</translation>
+    </message>
+    <message>
+        <source>Doors and passages</source>
+        <translation>Portas e passagens</translation>
+    </message>
+    <message>
+        <source>Landmarks</source>
+        <translation>Pontos de referência</translation>
+    </message>
+    <message>
+        <source>What the table lists</source>
+        <translation>O que a tabela mostra</translation>
+    </message>
+    <message>
+        <source>Search the table</source>
+        <translation>Procurar na tabela</translation>
+    </message>
+    <message>
+        <source>Rows that hold every word typed (Ctrl+F)</source>
+        <translation>Linhas que contêm todas as palavras escritas (Ctrl+F)</translation>
+    </message>
+    <message>
+        <source>This level onl&amp;y</source>
+        <translation>Só este p&amp;iso</translation>
+    </message>
+    <message>
+        <source>This level only</source>
+        <translation>Só este piso</translation>
+    </message>
+    <message>
+        <source>List only what is on the level that the plan shows</source>
+        <translation>Mostrar só o que está no piso que a planta mostra</translation>
+    </message>
+    <message>
+        <source>Attributes</source>
+        <translation>Atributos</translation>
+    </message>
+    <message>
+        <source>Choose a row to see it on the plan; press Enter to change it</source>
+        <translation>Escolha uma linha para a ver na planta; prima Enter para a alterar</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::FindingModel</name>
+    <message>
+        <source>Error</source>
+        <translation>Erro</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>Aviso</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Nota</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>e mais %n</numerusform>
+            <numerusform>e mais %n</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Rule: %1</source>
+        <translation>Regra: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n finding(s)</source>
+        <translation>
+            <numerusform>%n achado</numerusform>
+            <numerusform>%n achados</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>What was found</source>
+        <translation>O que foi encontrado</translation>
     </message>
     <message>
         <source>Where</source>
@@ -222,6 +533,93 @@ Abra uma câmara, um vídeo ou uma pasta de imagens e depois prima Reproduzir.</
     </message>
 </context>
 <context>
+    <name>farol::ui::ImportDialog</name>
+    <message>
+        <source>Import a map</source>
+        <translation>Importar um mapa</translation>
+    </message>
+    <message>
+        <source>A file, a folder or a zip: IMDF, OpenStreetMap indoor, IndoorGML, per-floor Shapefiles, GeoJSON, GeoPackage, HULOP, WRLD. What is found wrong is told afterwards; nothing is written until you save.</source>
+        <translation>Um ficheiro, uma pasta ou um zip: IMDF, OpenStreetMap interior, IndoorGML, Shapefiles por piso, GeoJSON, GeoPackage, HULOP, WRLD. O que estiver errado é dito depois; nada é escrito até guardar.</translation>
+    </message>
+    <message>
+        <source>&amp;File…</source>
+        <translation>&amp;Ficheiro…</translation>
+    </message>
+    <message>
+        <source>Fol&amp;der…</source>
+        <translation>&amp;Pasta…</translation>
+    </message>
+    <message>
+        <source>Choose a file</source>
+        <translation>Escolher um ficheiro</translation>
+    </message>
+    <message>
+        <source>Choose a folder</source>
+        <translation>Escolher uma pasta</translation>
+    </message>
+    <message>
+        <source>by its content</source>
+        <translation>pelo conteúdo</translation>
+    </message>
+    <message>
+        <source>as the format has it</source>
+        <translation>como o formato o diz</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>nenhum</translation>
+    </message>
+    <message>
+        <source>%1:</source>
+        <translation>%1:</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Mapa</translation>
+    </message>
+    <message>
+        <source>Path of the file, folder or zip</source>
+        <translation>Caminho do ficheiro, pasta ou zip</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Tipo</translation>
+    </message>
+    <message>
+        <source>Of which kind the map is</source>
+        <translation>De que tipo é o mapa</translation>
+    </message>
+    <message>
+        <source>Language of names</source>
+        <translation>Língua dos nomes</translation>
+    </message>
+    <message>
+        <source>Which of several names is taken, such as en or pt</source>
+        <translation>Qual de vários nomes se usa, como en ou pt</translation>
+    </message>
+    <message>
+        <source>Level stands in</source>
+        <translation>O piso está em</translation>
+    </message>
+    <message>
+        <source>Where the map leaves it open: filename, z, or the name of a column</source>
+        <translation>Onde o mapa o deixa em aberto: filename, z, ou o nome de uma coluna</translation>
+    </message>
+    <message>
+        <source>Profile</source>
+        <translation>Perfil</translation>
+    </message>
+    <message>
+        <source>A file with other names of columns and codes</source>
+        <translation>Um ficheiro com outros nomes de colunas e códigos</translation>
+    </message>
+    <message>
+        <source>&amp;Import</source>
+        <translation>&amp;Importar</translation>
+    </message>
+</context>
+<context>
     <name>farol::ui::InstructionPanel</name>
     <message>
         <source>No destination chosen: places are told, no route.</source>
@@ -332,6 +730,97 @@ Abra uma câmara, um vídeo ou uma pasta de imagens e depois prima Reproduzir.</
     <message>
         <source>What it does</source>
         <translation>O que faz</translation>
+    </message>
+    <message>
+        <source>Alt + Arrows</source>
+        <translation>Alt + setas</translation>
+    </message>
+    <message>
+        <source>In the plan: move what is chosen by 10 cm, with Shift by 1 m</source>
+        <translation>Na planta: mover o escolhido 10 cm, com Shift 1 m</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::LandmarkDialog</name>
+    <message>
+        <source>Landmark %1</source>
+        <translation>Ponto de referência %1</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Tipo</translation>
+    </message>
+    <message>
+        <source>What it is</source>
+        <translation>O que é</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Texto</translation>
+    </message>
+    <message>
+        <source>What can be read on it</source>
+        <translation>O que nele se lê</translation>
+    </message>
+    <message>
+        <source>Trained as</source>
+        <translation>Aprendido como</translation>
+    </message>
+    <message>
+        <source>The name under which its appearance was trained</source>
+        <translation>O nome com que o seu aspeto foi aprendido</translation>
+    </message>
+    <message>
+        <source>any</source>
+        <translation>qualquer</translation>
+    </message>
+    <message>
+        <source>Faces</source>
+        <translation>Virado a</translation>
+    </message>
+    <message>
+        <source>The way it faces: 0 is east, 90 north, 180 west, 270 south</source>
+        <translation>Para onde está virado: 0 é este, 90 norte, 180 oeste, 270 sul</translation>
+    </message>
+    <message>
+        <source>Height above the floor</source>
+        <translation>Altura acima do chão</translation>
+    </message>
+    <message>
+        <source>Of its middle</source>
+        <translation>Do seu meio</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Largura</translation>
+    </message>
+    <message>
+        <source>How wide it is: its distance is told from that</source>
+        <translation>Que largura tem: dela se calcula a distância</translation>
+    </message>
+    <message>
+        <source>Its own height</source>
+        <translation>Altura própria</translation>
+    </message>
+    <message>
+        <source>How tall it is</source>
+        <translation>Que altura tem</translation>
+    </message>
+    <message>
+        <source>East</source>
+        <translation>Este</translation>
+    </message>
+    <message>
+        <source>Place on the map, metres to the east</source>
+        <translation>Lugar no mapa, metros para este</translation>
+    </message>
+    <message>
+        <source>North</source>
+        <translation>Norte</translation>
+    </message>
+    <message>
+        <source>Place on the map, metres to the north</source>
+        <translation>Lugar no mapa, metros para norte</translation>
     </message>
 </context>
 <context>
@@ -487,6 +976,380 @@ Guia uma pessoa cega por um edifício com uma câmara comum: reconhece o que lhe
         <source>Something is being loaded</source>
         <translation>Está a ser carregado algo</translation>
     </message>
+    <message>
+        <source>Walk</source>
+        <translation>Percurso</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Mapa</translation>
+    </message>
+    <message>
+        <source>Pages</source>
+        <translation>Páginas</translation>
+    </message>
+    <message>
+        <source>Watch a walk, or work on a map (Ctrl+1, Ctrl+2)</source>
+        <translation>Acompanhar um percurso, ou trabalhar num mapa (Ctrl+1, Ctrl+2)</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::MapActions</name>
+    <message>
+        <source>&amp;Map</source>
+        <translation>&amp;Mapa</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Mapa</translation>
+    </message>
+    <message>
+        <source>&amp;Open map…</source>
+        <translation>&amp;Abrir mapa…</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Abrir</translation>
+    </message>
+    <message>
+        <source>Open the map of a building to look at it and change it</source>
+        <translation>Abrir o mapa de um edifício para o ver e alterar</translation>
+    </message>
+    <message>
+        <source>&amp;Import…</source>
+        <translation>&amp;Importar…</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importar</translation>
+    </message>
+    <message>
+        <source>Bring in a map of another kind</source>
+        <translation>Trazer um mapa de outro tipo</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Guardar</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Guardar</translation>
+    </message>
+    <message>
+        <source>Write the changes into the map&apos;s file</source>
+        <translation>Escrever as alterações no ficheiro do mapa</translation>
+    </message>
+    <message>
+        <source>S&amp;ave as…</source>
+        <translation>Guardar &amp;como…</translation>
+    </message>
+    <message>
+        <source>Save as</source>
+        <translation>Guardar como</translation>
+    </message>
+    <message>
+        <source>Write the map into another file</source>
+        <translation>Escrever o mapa noutro ficheiro</translation>
+    </message>
+    <message>
+        <source>&amp;Print as PDF…</source>
+        <translation>Im&amp;primir em PDF…</translation>
+    </message>
+    <message>
+        <source>PDF</source>
+        <translation>PDF</translation>
+    </message>
+    <message>
+        <source>Write the plan of each level as a page of a PDF</source>
+        <translation>Escrever a planta de cada piso como página de um PDF</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>A&amp;nular</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Anular</translation>
+    </message>
+    <message>
+        <source>Take back the last change</source>
+        <translation>Desfazer a última alteração</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Refazer</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Refazer</translation>
+    </message>
+    <message>
+        <source>Make the change again that was taken back</source>
+        <translation>Voltar a fazer a alteração anulada</translation>
+    </message>
+    <message>
+        <source>Add &amp;landmark</source>
+        <translation>Juntar ponto de &amp;referência</translation>
+    </message>
+    <message>
+        <source>Landmark</source>
+        <translation>Referência</translation>
+    </message>
+    <message>
+        <source>Put a new landmark on the plan</source>
+        <translation>Pôr um novo ponto de referência na planta</translation>
+    </message>
+    <message>
+        <source>Add &amp;door or passage</source>
+        <translation>Juntar por&amp;ta ou passagem</translation>
+    </message>
+    <message>
+        <source>Door</source>
+        <translation>Porta</translation>
+    </message>
+    <message>
+        <source>Put a new door or passage on the plan</source>
+        <translation>Pôr uma nova porta ou passagem na planta</translation>
+    </message>
+    <message>
+        <source>&amp;Change…</source>
+        <translation>A&amp;lterar…</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Alterar</translation>
+    </message>
+    <message>
+        <source>Change name, kind and the like of what is chosen</source>
+        <translation>Alterar o nome, o tipo e o resto do que está escolhido</translation>
+    </message>
+    <message>
+        <source>D&amp;elete</source>
+        <translation>&amp;Eliminar</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Eliminar</translation>
+    </message>
+    <message>
+        <source>Take the chosen landmark, door or passage off the map</source>
+        <translation>Tirar do mapa o ponto de referência, a porta ou a passagem escolhida</translation>
+    </message>
+    <message>
+        <source>Route &amp;from here</source>
+        <translation>Caminho a partir &amp;daqui</translation>
+    </message>
+    <message>
+        <source>From here</source>
+        <translation>A partir daqui</translation>
+    </message>
+    <message>
+        <source>Let the route begin in the chosen place</source>
+        <translation>O caminho começa no local escolhido</translation>
+    </message>
+    <message>
+        <source>Route &amp;to here</source>
+        <translation>Caminho até aq&amp;ui</translation>
+    </message>
+    <message>
+        <source>To here</source>
+        <translation>Até aqui</translation>
+    </message>
+    <message>
+        <source>Let the route end in the chosen place</source>
+        <translation>O caminho acaba no local escolhido</translation>
+    </message>
+    <message>
+        <source>Sea&amp;rch the table</source>
+        <translation>Pr&amp;ocurar na tabela</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Procurar</translation>
+    </message>
+    <message>
+        <source>Search the table of attributes</source>
+        <translation>Procurar na tabela de atributos</translation>
+    </message>
+    <message>
+        <source>C&amp;heck the map</source>
+        <translation>&amp;Verificar o mapa</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>Verificar</translation>
+    </message>
+    <message>
+        <source>Look for what is wrong with the map as it is now</source>
+        <translation>Ver o que está errado no mapa como está agora</translation>
+    </message>
+    <message>
+        <source>&amp;Next feature</source>
+        <translation>Elemento &amp;seguinte</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Seguinte</translation>
+    </message>
+    <message>
+        <source>Show the next feature of the chosen finding</source>
+        <translation>Mostrar o elemento seguinte do achado escolhido</translation>
+    </message>
+    <message>
+        <source>Places that look ali&amp;ke</source>
+        <translation>Locais &amp;parecidos</translation>
+    </message>
+    <message>
+        <source>Alike</source>
+        <translation>Parecidos</translation>
+    </message>
+    <message>
+        <source>Mark the places that the landmarks cannot tell apart, and those without any</source>
+        <translation>Marcar os locais que os pontos de referência não distinguem, e os que não têm nenhum</translation>
+    </message>
+    <message>
+        <source>&amp;Walk with this map</source>
+        <translation>Percurso com este mapa</translation>
+    </message>
+    <message>
+        <source>Walk</source>
+        <translation>Percurso</translation>
+    </message>
+    <message>
+        <source>Use the saved map on the Walk page</source>
+        <translation>Usar o mapa guardado na página do percurso</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::MapPage</name>
+    <message>
+        <source>Saved in %1</source>
+        <translation>Guardado em %1</translation>
+    </message>
+    <message>
+        <source>Open a map</source>
+        <translation>Abrir um mapa</translation>
+    </message>
+    <message>
+        <source>Maps (%1);;All files (%2)</source>
+        <translation>Mapas (%1);;Todos os ficheiros (%2)</translation>
+    </message>
+    <message>
+        <source>Save the map</source>
+        <translation>Guardar o mapa</translation>
+    </message>
+    <message>
+        <source>Maps (%1)</source>
+        <translation>Mapas (%1)</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Alterações por guardar</translation>
+    </message>
+    <message>
+        <source>The map has changes that are not saved.</source>
+        <translation>O mapa tem alterações que não estão guardadas.</translation>
+    </message>
+    <message>
+        <source>Save them first?</source>
+        <translation>Guardá-las primeiro?</translation>
+    </message>
+    <message>
+        <source>Imported from %1. Look at what was found, then save it as a map of Farol.</source>
+        <translation>Importado de %1. Veja o que foi encontrado, e guarde-o como mapa do Farol.</translation>
+    </message>
+    <message>
+        <source>Sa&amp;ve…</source>
+        <translation>&amp;Guardar…</translation>
+    </message>
+    <message>
+        <source>The map is being opened…</source>
+        <translation>O mapa está a ser aberto…</translation>
+    </message>
+    <message>
+        <source>The map is being imported and checked…</source>
+        <translation>O mapa está a ser importado e verificado…</translation>
+    </message>
+    <message>
+        <source>The map is being saved…</source>
+        <translation>O mapa está a ser guardado…</translation>
+    </message>
+    <message>
+        <source>The map is being checked…</source>
+        <translation>O mapa está a ser verificado…</translation>
+    </message>
+    <message>
+        <source>Table</source>
+        <translation>Tabela</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>Verificar</translation>
+    </message>
+    <message>
+        <source>Route</source>
+        <translation>Caminho</translation>
+    </message>
+    <message>
+        <source>Parts of the map</source>
+        <translation>Partes do mapa</translation>
+    </message>
+    <message>
+        <source>Ca&amp;ncel</source>
+        <translation>Ca&amp;ncelar</translation>
+    </message>
+    <message>
+        <source>Give up; the map that was open stays</source>
+        <translation>Desistir; o mapa que estava aberto fica</translation>
+    </message>
+    <message>
+        <source>Click where the landmark stands, or move the plan under the cross with the arrows and press Enter. Escape gives up.</source>
+        <translation>Clique onde está o ponto de referência, ou mova a planta sob a cruz com as setas e prima Enter. Escape desiste.</translation>
+    </message>
+    <message>
+        <source>Click where the door is, or move the plan under the cross with the arrows and press Enter. Escape gives up.</source>
+        <translation>Clique onde está a porta, ou mova a planta sob a cruz com as setas e prima Enter. Escape desiste.</translation>
+    </message>
+    <message>
+        <source>Add a landmark</source>
+        <translation>Juntar um ponto de referência</translation>
+    </message>
+    <message>
+        <source>Add a door</source>
+        <translation>Juntar uma porta</translation>
+    </message>
+    <message>
+        <source>Change %1</source>
+        <translation>Alterar %1</translation>
+    </message>
+    <message>
+        <source>Delete %1</source>
+        <translation>Eliminar %1</translation>
+    </message>
+    <message>
+        <source>Deleted: %1. Ctrl+Z brings it back.</source>
+        <translation>Eliminado: %1. Ctrl+Z trá-lo de volta.</translation>
+    </message>
+    <message>
+        <source>Move %1</source>
+        <translation>Mover %1</translation>
+    </message>
+    <message>
+        <source>Print the plan</source>
+        <translation>Imprimir a planta</translation>
+    </message>
+    <message>
+        <source>PDF (%1)</source>
+        <translation>PDF (%1)</translation>
+    </message>
+    <message>
+        <source>Printed in %1</source>
+        <translation>Impresso em %1</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written. Choose another folder.</source>
+        <translation>Não é possível escrever %1. Escolha outra pasta.</translation>
+    </message>
 </context>
 <context>
     <name>farol::ui::MapPanel</name>
@@ -512,22 +1375,6 @@ Guia uma pessoa cega por um edifício com uma câmara comum: reconhece o que lhe
     <message>
         <source>You are in %1: %2.</source>
         <translation>Está aqui: %1 (%2).</translation>
-    </message>
-    <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
-    </message>
-    <message>
-        <source>%1 between %2 and %3</source>
-        <translation>%1 entre %2 e %3</translation>
-    </message>
-    <message>
-        <source>%1 (closed)</source>
-        <translation>%1 (fechado)</translation>
-    </message>
-    <message>
-        <source>%1: %2, in %3</source>
-        <translation>%1: %2, em: %3</translation>
     </message>
     <message>
         <source>&amp;Go to %1</source>
@@ -1496,6 +2343,968 @@ Abra um com Ctrl+O.</translation>
         <source>Where the walk starts, if you know it</source>
         <translation>Onde começa o percurso, se o souber</translation>
     </message>
+    <message>
+        <source>F&amp;rom:</source>
+        <translation>&amp;De:</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>De</translation>
+    </message>
+    <message>
+        <source>Where the route begins: type part of a name, room number or level, then choose</source>
+        <translation>Onde começa o caminho: escreva parte de um nome, número de sala ou piso, e escolha</translation>
+    </message>
+    <message>
+        <source>&amp;To:</source>
+        <translation>Pa&amp;ra:</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Para</translation>
+    </message>
+    <message>
+        <source>Where the route ends: type part of a name, room number or level, then choose</source>
+        <translation>Onde acaba o caminho: escreva parte de um nome, número de sala ou piso, e escolha</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>nenhum</translation>
+    </message>
+    <message>
+        <source>Type part of a name, room number or level, then choose</source>
+        <translation>Escreva parte de um nome, número de sala ou piso, e escolha</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::PlanLegend</name>
+    <message>
+        <source>no landmark</source>
+        <translation>sem ponto de referência</translation>
+    </message>
+    <message>
+        <source>looks like another place</source>
+        <translation>parecido com outro local</translation>
+    </message>
+    <message>
+        <source>a landmark here helps most</source>
+        <translation>aqui um ponto de referência ajuda mais</translation>
+    </message>
+    <message>
+        <source>not joined with the rest</source>
+        <translation>sem ligação ao resto</translation>
+    </message>
+    <message>
+        <source>Legend: %1</source>
+        <translation>Legenda: %1</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::PlanPanel</name>
+    <message>
+        <source>No map is open.</source>
+        <translation>Não há nenhum mapa aberto.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n region(s), %2</source>
+        <translation>
+            <numerusform>%1: %n espaço, %2</numerusform>
+            <numerusform>%1: %n espaços, %2</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n landmark(s)</source>
+        <translation>
+            <numerusform>%n ponto de referência</numerusform>
+            <numerusform>%n pontos de referência</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>&amp;Level:</source>
+        <translation>&amp;Piso:</translation>
+    </message>
+    <message>
+        <source>Level of the plan</source>
+        <translation>Piso da planta</translation>
+    </message>
+    <message>
+        <source>The floor that the plan shows (Page Up and Page Down in the plan)</source>
+        <translation>O piso que a planta mostra (Page Up e Page Down na planta)</translation>
+    </message>
+    <message>
+        <source>Larger (+)</source>
+        <translation>Maior (+)</translation>
+    </message>
+    <message>
+        <source>Smaller (-)</source>
+        <translation>Menor (-)</translation>
+    </message>
+    <message>
+        <source>Show the whole floor (0)</source>
+        <translation>Mostrar o piso inteiro (0)</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>Planta</translation>
+    </message>
+    <message>
+        <source>Drag to move, turn the wheel to zoom. What is chosen can be dragged, or moved by Alt and the arrows</source>
+        <translation>Arraste para mover, rode a roda para ampliar. O que está escolhido pode ser arrastado, ou movido com Alt e as setas</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::RegionDialog</name>
+    <message>
+        <source>Region %1</source>
+        <translation>Espaço %1</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nome</translation>
+    </message>
+    <message>
+        <source>What is spoken</source>
+        <translation>O que é dito</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Número</translation>
+    </message>
+    <message>
+        <source>The number on the door</source>
+        <translation>O número na porta</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Tipo</translation>
+    </message>
+    <message>
+        <source>What sort of place it is</source>
+        <translation>Que tipo de local é</translation>
+    </message>
+    <message>
+        <source>Restricted</source>
+        <translation>Reservado</translation>
+    </message>
+    <message>
+        <source>Not open to everyone</source>
+        <translation>Não está aberto a todos</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::ReportPanel</name>
+    <message>
+        <source>%1, %2, %3</source>
+        <translation>%1, %2, %3</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n error(s)</source>
+        <translation>
+            <numerusform>%n erro</numerusform>
+            <numerusform>%n erros</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n warning(s)</source>
+        <translation>
+            <numerusform>%n aviso</numerusform>
+            <numerusform>%n avisos</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n note(s)</source>
+        <translation>
+            <numerusform>%n nota</numerusform>
+            <numerusform>%n notas</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No map is open.</source>
+        <translation>Não há nenhum mapa aberto.</translation>
+    </message>
+    <message>
+        <source>The map was changed after this check: %1.</source>
+        <translation>O mapa foi alterado depois desta verificação: %1.</translation>
+    </message>
+    <message>
+        <source>Nothing is wrong with this map.</source>
+        <translation>Não há nada errado neste mapa.</translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation>Achados</translation>
+    </message>
+    <message>
+        <source>What is wrong with the map; choose a finding to see its place on the plan</source>
+        <translation>O que está errado no mapa; escolha um achado para ver o seu lugar na planta</translation>
+    </message>
+    <message>
+        <source>The finding in words</source>
+        <translation>O achado por palavras</translation>
+    </message>
+    <message>
+        <source>The finding in words, and what to do</source>
+        <translation>O achado por palavras, e o que fazer</translation>
+    </message>
+    <message>
+        <source>Ne&amp;xt feature</source>
+        <translation>Elemento se&amp;guinte</translation>
+    </message>
+    <message>
+        <source>Show the next feature of this finding (F4)</source>
+        <translation>Mostrar o elemento seguinte deste achado (F4)</translation>
+    </message>
+    <message>
+        <source>Chec&amp;k again</source>
+        <translation>Verificar outra ve&amp;z</translation>
+    </message>
+    <message>
+        <source>Look for what is wrong with the map as it is now (F7)</source>
+        <translation>Ver o que está errado no mapa como está agora (F7)</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::RouteModel</name>
+    <message>
+        <source>Start in %1.</source>
+        <translation>Comece em: %1.</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>After</source>
+        <translation>Após</translation>
+    </message>
+    <message>
+        <source>What to do</source>
+        <translation>O que fazer</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::RoutePanel</name>
+    <message>
+        <source>No map is open.</source>
+        <translation>Não há nenhum mapa aberto.</translation>
+    </message>
+    <message>
+        <source>Looking for the way…</source>
+        <translation>À procura do caminho…</translation>
+    </message>
+    <message>
+        <source>There is no way. %1</source>
+        <translation>Não há caminho. %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 m, about %n minute(s), through %2.</source>
+        <translation>
+            <numerusform>%1 m, cerca de %n minuto, por %2.</numerusform>
+            <numerusform>%1 m, cerca de %n minutos, por %2.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n door(s) and passage(s)</source>
+        <translation>
+            <numerusform>%n porta ou passagem</numerusform>
+            <numerusform>%n portas e passagens</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Choose where the route begins and ends, here or by the menu of a place on the plan.</source>
+        <translation>Escolha onde o caminho começa e acaba, aqui ou no menu de um local na planta.</translation>
+    </message>
+    <message>
+        <source>Swa&amp;p</source>
+        <translation>&amp;Trocar</translation>
+    </message>
+    <message>
+        <source>The way back: exchange where the route begins and ends</source>
+        <translation>O caminho de volta: trocar o começo e o fim</translation>
+    </message>
+    <message>
+        <source>Avoid</source>
+        <translation>Evitar</translation>
+    </message>
+    <message>
+        <source>stairs</source>
+        <translation>escadas</translation>
+    </message>
+    <message>
+        <source>Find a way without stairs</source>
+        <translation>Procurar um caminho sem escadas</translation>
+    </message>
+    <message>
+        <source>lifts</source>
+        <translation>elevadores</translation>
+    </message>
+    <message>
+        <source>Find a way without lifts</source>
+        <translation>Procurar um caminho sem elevadores</translation>
+    </message>
+    <message>
+        <source>escalators</source>
+        <translation>escadas rolantes</translation>
+    </message>
+    <message>
+        <source>Find a way without escalators</source>
+        <translation>Procurar um caminho sem escadas rolantes</translation>
+    </message>
+    <message>
+        <source>restricted regions</source>
+        <translation>espaços reservados</translation>
+    </message>
+    <message>
+        <source>Find a way that is open to everyone</source>
+        <translation>Procurar um caminho aberto a todos</translation>
+    </message>
+    <message>
+        <source>Sentences of the route</source>
+        <translation>Frases do caminho</translation>
+    </message>
+    <message>
+        <source>What the walker hears; choose a sentence to see its place on the plan</source>
+        <translation>O que a pessoa ouve; escolha uma frase para ver o seu lugar na planta</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::RuleWords</name>
+    <message>
+        <source>Outlines that are no proper outline</source>
+        <translation>Contornos que não são contornos corretos</translation>
+    </message>
+    <message>
+        <source>Draw the outline again so that it does not cross itself.</source>
+        <translation>Desenhe o contorno de novo, sem que se cruze a si próprio.</translation>
+    </message>
+    <message>
+        <source>Regions that share an id</source>
+        <translation>Espaços com o mesmo identificador</translation>
+    </message>
+    <message>
+        <source>Give each region an id of its own.</source>
+        <translation>Dê a cada espaço um identificador próprio.</translation>
+    </message>
+    <message>
+        <source>Doors that share an id</source>
+        <translation>Portas com o mesmo identificador</translation>
+    </message>
+    <message>
+        <source>Give each door or passage an id of its own.</source>
+        <translation>Dê a cada porta ou passagem um identificador próprio.</translation>
+    </message>
+    <message>
+        <source>Landmarks that share an id</source>
+        <translation>Pontos de referência com o mesmo identificador</translation>
+    </message>
+    <message>
+        <source>Give each landmark an id of its own.</source>
+        <translation>Dê a cada ponto de referência um identificador próprio.</translation>
+    </message>
+    <message>
+        <source>Doors that do not join two regions</source>
+        <translation>Portas que não ligam dois espaços</translation>
+    </message>
+    <message>
+        <source>Choose the region on each side of the door.</source>
+        <translation>Escolha o espaço de cada lado da porta.</translation>
+    </message>
+    <message>
+        <source>Doors to regions that do not exist</source>
+        <translation>Portas para espaços que não existem</translation>
+    </message>
+    <message>
+        <source>Choose regions that are on the map for both sides.</source>
+        <translation>Escolha para os dois lados espaços que estejam no mapa.</translation>
+    </message>
+    <message>
+        <source>Doors far from the regions they join</source>
+        <translation>Portas longe dos espaços que ligam</translation>
+    </message>
+    <message>
+        <source>Move the door to where the two regions meet.</source>
+        <translation>Mova a porta para onde os dois espaços se encontram.</translation>
+    </message>
+    <message>
+        <source>Doors drawn on fewer or more than two regions</source>
+        <translation>Portas desenhadas em menos ou mais do que dois espaços</translation>
+    </message>
+    <message>
+        <source>Doors beside more than two regions</source>
+        <translation>Portas junto a mais de dois espaços</translation>
+    </message>
+    <message>
+        <source>See that the two sides are the right ones.</source>
+        <translation>Veja se os dois lados são os certos.</translation>
+    </message>
+    <message>
+        <source>Passages drawn along the way instead of across it</source>
+        <translation>Passagens desenhadas ao longo do caminho em vez de o atravessar</translation>
+    </message>
+    <message>
+        <source>If one walks along the line, choose its two sides by hand.</source>
+        <translation>Se se anda ao longo da linha, escolha os dois lados à mão.</translation>
+    </message>
+    <message>
+        <source>Doors without a place on the map</source>
+        <translation>Portas sem lugar no mapa</translation>
+    </message>
+    <message>
+        <source>Draw them in the source, or put them in here.</source>
+        <translation>Desenhe-as na origem, ou ponha-as aqui.</translation>
+    </message>
+    <message>
+        <source>Stairs or lifts that do not change the level</source>
+        <translation>Escadas ou elevadores que não mudam de piso</translation>
+    </message>
+    <message>
+        <source>Choose regions of two levels, or another kind.</source>
+        <translation>Escolha espaços de dois pisos, ou outro tipo.</translation>
+    </message>
+    <message>
+        <source>Parts of the building that no way joins</source>
+        <translation>Partes do edifício que nenhum caminho liga</translation>
+    </message>
+    <message>
+        <source>Put in the door, stairs or lift that joins them.</source>
+        <translation>Ponha a porta, a escada ou o elevador que as liga.</translation>
+    </message>
+    <message>
+        <source>Regions without any door</source>
+        <translation>Espaços sem nenhuma porta</translation>
+    </message>
+    <message>
+        <source>Put in the door that leads there.</source>
+        <translation>Ponha a porta que lá leva.</translation>
+    </message>
+    <message>
+        <source>Regions without a name</source>
+        <translation>Espaços sem nome</translation>
+    </message>
+    <message>
+        <source>Give them the name that people use.</source>
+        <translation>Dê-lhes o nome que as pessoas usam.</translation>
+    </message>
+    <message>
+        <source>Regions of one level with the same number</source>
+        <translation>Espaços de um piso com o mesmo número</translation>
+    </message>
+    <message>
+        <source>Correct the number of one of them.</source>
+        <translation>Corrija o número de um deles.</translation>
+    </message>
+    <message>
+        <source>Regions as narrow as a wall</source>
+        <translation>Espaços tão estreitos como uma parede</translation>
+    </message>
+    <message>
+        <source>Join them with their neighbour in the source.</source>
+        <translation>Junte-os ao vizinho na origem.</translation>
+    </message>
+    <message>
+        <source>Regions that overlap</source>
+        <translation>Espaços que se sobrepõem</translation>
+    </message>
+    <message>
+        <source>Draw the border between them in the source.</source>
+        <translation>Desenhe na origem a fronteira entre eles.</translation>
+    </message>
+    <message>
+        <source>Regions inside other regions</source>
+        <translation>Espaços dentro de outros espaços</translation>
+    </message>
+    <message>
+        <source>Cut the smaller one out of the larger one, unless it is a part of it.</source>
+        <translation>Recorte o menor do maior, a não ser que faça parte dele.</translation>
+    </message>
+    <message>
+        <source>Regions drawn twice</source>
+        <translation>Espaços desenhados duas vezes</translation>
+    </message>
+    <message>
+        <source>Remove one of them in the source.</source>
+        <translation>Retire um deles na origem.</translation>
+    </message>
+    <message>
+        <source>Regions in several parts</source>
+        <translation>Espaços em várias partes</translation>
+    </message>
+    <message>
+        <source>Each part became a region; give the parts names of their own.</source>
+        <translation>Cada parte ficou um espaço; dê às partes nomes próprios.</translation>
+    </message>
+    <message>
+        <source>Landmarks in regions that do not exist</source>
+        <translation>Pontos de referência em espaços que não existem</translation>
+    </message>
+    <message>
+        <source>Move the landmark into a region.</source>
+        <translation>Mova o ponto de referência para um espaço.</translation>
+    </message>
+    <message>
+        <source>Landmarks outside their region</source>
+        <translation>Pontos de referência fora do seu espaço</translation>
+    </message>
+    <message>
+        <source>Move the landmark into its region.</source>
+        <translation>Mova o ponto de referência para o seu espaço.</translation>
+    </message>
+    <message>
+        <source>Landmarks that were given their region by their place</source>
+        <translation>Pontos de referência que receberam o espaço pelo seu lugar</translation>
+    </message>
+    <message>
+        <source>Levels that the list of levels does not name</source>
+        <translation>Pisos que a lista de pisos não nomeia</translation>
+    </message>
+    <message>
+        <source>Add the level to the list in the source.</source>
+        <translation>Junte o piso à lista na origem.</translation>
+    </message>
+    <message>
+        <source>Levels named twice</source>
+        <translation>Pisos nomeados duas vezes</translation>
+    </message>
+    <message>
+        <source>Levels without a usable number</source>
+        <translation>Pisos sem número utilizável</translation>
+    </message>
+    <message>
+        <source>Give the level a number in the source.</source>
+        <translation>Dê ao piso um número na origem.</translation>
+    </message>
+    <message>
+        <source>Features whose level was assumed</source>
+        <translation>Elementos cujo piso foi suposto</translation>
+    </message>
+    <message>
+        <source>Add the level in the source.</source>
+        <translation>Indique o piso na origem.</translation>
+    </message>
+    <message>
+        <source>Links between levels that lead nowhere</source>
+        <translation>Ligações entre pisos que não levam a lado nenhum</translation>
+    </message>
+    <message>
+        <source>Choose regions that are on the map.</source>
+        <translation>Escolha espaços que estejam no mapa.</translation>
+    </message>
+    <message>
+        <source>Stairs and lifts joined because they lie above one another</source>
+        <translation>Escadas e elevadores ligados por estarem uns sobre os outros</translation>
+    </message>
+    <message>
+        <source>See that they really are one.</source>
+        <translation>Veja se são mesmo os mesmos.</translation>
+    </message>
+    <message>
+        <source>Stairs or lifts that leave out a level</source>
+        <translation>Escadas ou elevadores que saltam um piso</translation>
+    </message>
+    <message>
+        <source>Add the stop, if there is one.</source>
+        <translation>Junte a paragem, se existir.</translation>
+    </message>
+    <message>
+        <source>Kinds that are not known</source>
+        <translation>Tipos que não são conhecidos</translation>
+    </message>
+    <message>
+        <source>Choose one of the kinds that Farol knows.</source>
+        <translation>Escolha um dos tipos que o Farol conhece.</translation>
+    </message>
+    <message>
+        <source>Degrees where metres are meant</source>
+        <translation>Graus onde se querem metros</translation>
+    </message>
+    <message>
+        <source>See that the building has its right size.</source>
+        <translation>Veja se o edifício tem o tamanho certo.</translation>
+    </message>
+    <message>
+        <source>Metres where degrees are meant</source>
+        <translation>Metros onde se querem graus</translation>
+    </message>
+    <message>
+        <source>The coordinates&apos; system is not named</source>
+        <translation>O sistema das coordenadas não é indicado</translation>
+    </message>
+    <message>
+        <source>Name the coordinate system in the source.</source>
+        <translation>Indique na origem o sistema de coordenadas.</translation>
+    </message>
+    <message>
+        <source>The coordinates&apos; system is not understood</source>
+        <translation>O sistema das coordenadas não se entende</translation>
+    </message>
+    <message>
+        <source>Name a common coordinate system in the source.</source>
+        <translation>Indique na origem um sistema de coordenadas comum.</translation>
+    </message>
+    <message>
+        <source>Coordinates were converted to metres</source>
+        <translation>As coordenadas foram convertidas em metros</translation>
+    </message>
+    <message>
+        <source>North and east were exchanged</source>
+        <translation>Norte e este foram trocados</translation>
+    </message>
+    <message>
+        <source>Export the map again to be sure.</source>
+        <translation>Exporte o mapa outra vez para ter a certeza.</translation>
+    </message>
+    <message>
+        <source>Points that are no places</source>
+        <translation>Pontos que não são lugares</translation>
+    </message>
+    <message>
+        <source>See whether something is missing there.</source>
+        <translation>Veja se falta lá alguma coisa.</translation>
+    </message>
+    <message>
+        <source>Features without a shape</source>
+        <translation>Elementos sem forma</translation>
+    </message>
+    <message>
+        <source>Draw them in the source if they are needed.</source>
+        <translation>Desenhe-os na origem, se forem precisos.</translation>
+    </message>
+    <message>
+        <source>Features without a usable shape</source>
+        <translation>Elementos sem forma utilizável</translation>
+    </message>
+    <message>
+        <source>Layers without features</source>
+        <translation>Camadas sem elementos</translation>
+    </message>
+    <message>
+        <source>Layers whose meaning is not clear</source>
+        <translation>Camadas cujo sentido não é claro</translation>
+    </message>
+    <message>
+        <source>Say in a profile what the layer holds.</source>
+        <translation>Diga num perfil o que a camada contém.</translation>
+    </message>
+    <message>
+        <source>Layers that were not used</source>
+        <translation>Camadas que não foram usadas</translation>
+    </message>
+    <message>
+        <source>Codes without a meaning</source>
+        <translation>Códigos sem significado</translation>
+    </message>
+    <message>
+        <source>Say in a profile what the code means.</source>
+        <translation>Diga num perfil o que o código quer dizer.</translation>
+    </message>
+    <message>
+        <source>Openings added where no wall stands between regions</source>
+        <translation>Aberturas postas onde não há parede entre espaços</translation>
+    </message>
+    <message>
+        <source>See that one can really walk through.</source>
+        <translation>Veja se se pode mesmo passar.</translation>
+    </message>
+    <message>
+        <source>Escalators without a direction</source>
+        <translation>Escadas rolantes sem sentido</translation>
+    </message>
+    <message>
+        <source>Say which way they run.</source>
+        <translation>Diga em que sentido andam.</translation>
+    </message>
+    <message>
+        <source>Amenities without a known level</source>
+        <translation>Serviços sem piso conhecido</translation>
+    </message>
+    <message>
+        <source>Name the level in the source.</source>
+        <translation>Indique o piso na origem.</translation>
+    </message>
+    <message>
+        <source>Amenities without a place</source>
+        <translation>Serviços sem lugar</translation>
+    </message>
+    <message>
+        <source>Give them a point in the source.</source>
+        <translation>Dê-lhes um ponto na origem.</translation>
+    </message>
+    <message>
+        <source>Categories that are not known</source>
+        <translation>Categorias que não são conhecidas</translation>
+    </message>
+    <message>
+        <source>Levels without an id</source>
+        <translation>Pisos sem identificador</translation>
+    </message>
+    <message>
+        <source>Give the level an id in the source.</source>
+        <translation>Dê ao piso um identificador na origem.</translation>
+    </message>
+    <message>
+        <source>Levels without an ordinal</source>
+        <translation>Pisos sem ordinal</translation>
+    </message>
+    <message>
+        <source>Give the level an ordinal in the source.</source>
+        <translation>Dê ao piso um ordinal na origem.</translation>
+    </message>
+    <message>
+        <source>Parts of the IMDF archive that were not used</source>
+        <translation>Partes do arquivo IMDF que não foram usadas</translation>
+    </message>
+    <message>
+        <source>Walls, columns and voids drawn as units</source>
+        <translation>Paredes, colunas e vazios desenhados como unidades</translation>
+    </message>
+    <message>
+        <source>Occupants without a place</source>
+        <translation>Ocupantes sem lugar</translation>
+    </message>
+    <message>
+        <source>Name the anchor in the source.</source>
+        <translation>Indique a âncora na origem.</translation>
+    </message>
+    <message>
+        <source>Openings that are closed</source>
+        <translation>Aberturas que estão fechadas</translation>
+    </message>
+    <message>
+        <source>Openings without a line</source>
+        <translation>Aberturas sem linha</translation>
+    </message>
+    <message>
+        <source>Draw the opening as a line in the source.</source>
+        <translation>Desenhe a abertura como linha na origem.</translation>
+    </message>
+    <message>
+        <source>Relationships that do not name two units</source>
+        <translation>Relações que não nomeiam duas unidades</translation>
+    </message>
+    <message>
+        <source>Name the two units in the source.</source>
+        <translation>Nomeie as duas unidades na origem.</translation>
+    </message>
+    <message>
+        <source>Units without an outline</source>
+        <translation>Unidades sem contorno</translation>
+    </message>
+    <message>
+        <source>Draw the outline in the source.</source>
+        <translation>Desenhe o contorno na origem.</translation>
+    </message>
+    <message>
+        <source>Doors that stand on no outline</source>
+        <translation>Portas que não estão em nenhum contorno</translation>
+    </message>
+    <message>
+        <source>Draw the door on the outline of its room.</source>
+        <translation>Desenhe a porta no contorno da sua sala.</translation>
+    </message>
+    <message>
+        <source>Openings put where a way enters a room</source>
+        <translation>Aberturas postas onde um caminho entra numa sala</translation>
+    </message>
+    <message>
+        <source>Draw the door in the source.</source>
+        <translation>Desenhe a porta na origem.</translation>
+    </message>
+    <message>
+        <source>Objects whose level is not clear</source>
+        <translation>Objetos cujo piso não é claro</translation>
+    </message>
+    <message>
+        <source>Objects far from every region</source>
+        <translation>Objetos longe de todos os espaços</translation>
+    </message>
+    <message>
+        <source>Draw the room they stand in.</source>
+        <translation>Desenhe a sala em que estão.</translation>
+    </message>
+    <message>
+        <source>Features without a level</source>
+        <translation>Elementos sem piso</translation>
+    </message>
+    <message>
+        <source>Levels that cannot be read</source>
+        <translation>Pisos que não se conseguem ler</translation>
+    </message>
+    <message>
+        <source>Correct the level in the source.</source>
+        <translation>Corrija o piso na origem.</translation>
+    </message>
+    <message>
+        <source>Lifts without a door</source>
+        <translation>Elevadores sem porta</translation>
+    </message>
+    <message>
+        <source>Move the door to its place.</source>
+        <translation>Mova a porta para o seu lugar.</translation>
+    </message>
+    <message>
+        <source>Lifts that are only a point</source>
+        <translation>Elevadores que são só um ponto</translation>
+    </message>
+    <message>
+        <source>Steps that lead nowhere</source>
+        <translation>Degraus que não levam a lado nenhum</translation>
+    </message>
+    <message>
+        <source>Draw the area or way that they lead to.</source>
+        <translation>Desenhe a área ou o caminho a que levam.</translation>
+    </message>
+    <message>
+        <source>Steps that may go up or down</source>
+        <translation>Degraus que podem subir ou descer</translation>
+    </message>
+    <message>
+        <source>Say in the source which end is up.</source>
+        <translation>Diga na origem qual é o lado de cima.</translation>
+    </message>
+    <message>
+        <source>Steps without a length</source>
+        <translation>Degraus sem comprimento</translation>
+    </message>
+    <message>
+        <source>Draw the line of the steps.</source>
+        <translation>Desenhe a linha dos degraus.</translation>
+    </message>
+    <message>
+        <source>Cells that could not be used</source>
+        <translation>Células que não se puderam usar</translation>
+    </message>
+    <message>
+        <source>Give each cell an outline and an id.</source>
+        <translation>Dê a cada célula um contorno e um identificador.</translation>
+    </message>
+    <message>
+        <source>The coordinates&apos; system is not known</source>
+        <translation>O sistema das coordenadas não é conhecido</translation>
+    </message>
+    <message>
+        <source>Doors that do not lie between two rooms</source>
+        <translation>Portas que não estão entre duas salas</translation>
+    </message>
+    <message>
+        <source>Levels that nothing tells</source>
+        <translation>Pisos que nada indica</translation>
+    </message>
+    <message>
+        <source>Say where the level stands when importing.</source>
+        <translation>Diga ao importar onde está o piso.</translation>
+    </message>
+    <message>
+        <source>Levels counted from the heights of the floors</source>
+        <translation>Pisos contados pelas alturas do chão</translation>
+    </message>
+    <message>
+        <source>Storeys named by words</source>
+        <translation>Pisos nomeados por palavras</translation>
+    </message>
+    <message>
+        <source>Transitions that do not join two cells</source>
+        <translation>Transições que não ligam duas células</translation>
+    </message>
+    <message>
+        <source>Correct the transition in the source.</source>
+        <translation>Corrija a transição na origem.</translation>
+    </message>
+    <message>
+        <source>Entrances of facilities that are missing</source>
+        <translation>Entradas de serviços que não existem</translation>
+    </message>
+    <message>
+        <source>Add the facility in the source.</source>
+        <translation>Junte o serviço na origem.</translation>
+    </message>
+    <message>
+        <source>Facilities that no entrance leads to</source>
+        <translation>Serviços a que nenhuma entrada leva</translation>
+    </message>
+    <message>
+        <source>Add the entrance in the source.</source>
+        <translation>Junte a entrada na origem.</translation>
+    </message>
+    <message>
+        <source>The number of the ground floor was assumed</source>
+        <translation>O número do rés do chão foi suposto</translation>
+    </message>
+    <message>
+        <source>Say it when importing, if it is another one.</source>
+        <translation>Diga-o ao importar, se for outro.</translation>
+    </message>
+    <message>
+        <source>Objects far from every node</source>
+        <translation>Objetos longe de todos os nós</translation>
+    </message>
+    <message>
+        <source>Move the object in the source.</source>
+        <translation>Mova o objeto na origem.</translation>
+    </message>
+    <message>
+        <source>Links that do not join two nodes</source>
+        <translation>Ligações que não unem dois nós</translation>
+    </message>
+    <message>
+        <source>Correct the link in the source.</source>
+        <translation>Corrija a ligação na origem.</translation>
+    </message>
+    <message>
+        <source>Nodes that could not be used</source>
+        <translation>Nós que não se puderam usar</translation>
+    </message>
+    <message>
+        <source>Give each node a place and an id.</source>
+        <translation>Dê a cada nó um lugar e um identificador.</translation>
+    </message>
+    <message>
+        <source>Nodes that no link leads to</source>
+        <translation>Nós a que nenhuma ligação leva</translation>
+    </message>
+    <message>
+        <source>Add the link in the source.</source>
+        <translation>Junte a ligação na origem.</translation>
+    </message>
+    <message>
+        <source>Nodes without a floor</source>
+        <translation>Nós sem piso</translation>
+    </message>
+    <message>
+        <source>Add the floor in the source.</source>
+        <translation>Indique o piso na origem.</translation>
+    </message>
+    <message>
+        <source>Regions made from a network of ways</source>
+        <translation>Espaços feitos de uma rede de caminhos</translation>
+    </message>
+    <message>
+        <source>Features of an unknown sort</source>
+        <translation>Elementos de um tipo desconhecido</translation>
+    </message>
+    <message>
+        <source>Spaces closed from walls, doors and windows</source>
+        <translation>Espaços fechados a partir de paredes, portas e janelas</translation>
+    </message>
+    <message>
+        <source>Give them names.</source>
+        <translation>Dê-lhes nomes.</translation>
+    </message>
+    <message>
+        <source>Doors with a space on one side only</source>
+        <translation>Portas com espaço só de um lado</translation>
+    </message>
+    <message>
+        <source>See whether a wall is missing, or the door leads outside.</source>
+        <translation>Veja se falta uma parede, ou se a porta dá para fora.</translation>
+    </message>
+    <message>
+        <source>Narrow strips between walls</source>
+        <translation>Faixas estreitas entre paredes</translation>
+    </message>
+    <message>
+        <source>Something to look at</source>
+        <translation>Algo a ver</translation>
+    </message>
 </context>
 <context>
     <name>farol::ui::SettingsDialog</name>
@@ -2260,6 +4069,22 @@ Abra um com Ctrl+O.</translation>
         <source>How fast pictures from files are played</source>
         <translation>A que velocidade são reproduzidas as imagens de ficheiros</translation>
     </message>
+    <message>
+        <source>Wal&amp;k page</source>
+        <translation>Página do p&amp;ercurso</translation>
+    </message>
+    <message>
+        <source>Watch a walk</source>
+        <translation>Acompanhar um percurso</translation>
+    </message>
+    <message>
+        <source>&amp;Map page</source>
+        <translation>Página do &amp;mapa</translation>
+    </message>
+    <message>
+        <source>Look at the map of a building, check it and change it</source>
+        <translation>Ver o mapa de um edifício, verificá-lo e alterá-lo</translation>
+    </message>
 </context>
 <context>
     <name>farol::ui::Words</name>
@@ -2462,6 +4287,30 @@ Abra um com Ctrl+O.</translation>
     <message>
         <source>shown</source>
         <translation>mostrada</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>?</source>
+        <translation>?</translation>
+    </message>
+    <message>
+        <source>%1 between %2 and %3</source>
+        <translation>%1 entre %2 e %3</translation>
+    </message>
+    <message>
+        <source>%1 (closed)</source>
+        <translation>%1 (fechado)</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1: %2, in %3</source>
+        <translation>%1: %2, em: %3</translation>
     </message>
 </context>
 </TS>

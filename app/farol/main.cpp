@@ -1,5 +1,6 @@
 // The workstation.
 
+#include "app/farol/dark_palette.h"
 #include "app/farol/options.h"
 #include "app/farol/screenshot.h"
 #include "ui/main_window/main_window.h"
@@ -20,6 +21,8 @@ int main(int argc, char** argv) {
         QStringLiteral("Fusion")); // the same look, and a palette that dark desktops can set
     const farol::Options options = farol::optionsFrom(QApplication::arguments());
 
+    if (options.dark) QApplication::setPalette(farol::darkPalette());
+
     // A picture or a self-test neither follows nor changes what the user has set.
     const QTemporaryDir scratch;
     const bool aside = options.selfTest || !options.screenshot.isEmpty();
@@ -29,7 +32,7 @@ int main(int argc, char** argv) {
 
     farol::ui::MainWindow window(settings);
     if (options.size) window.resize(*options.size);
-    if (!options.screenshot.isEmpty()) new farol::Screenshot(window, options.screenshot, options.after);
+    if (!options.screenshot.isEmpty()) new farol::Screenshot(window, options);
     window.show();
     int failures = 0;
     if (options.selfTest) {

@@ -56,6 +56,11 @@ Options optionsFrom(const QStringList& arguments) {
         return option;
     };
     const auto map = value("map", "file", "Map of the building (GeoPackage)");
+    const auto edit = value("edit", "source", "Show the Map page with a map of any kind");
+    const auto level = value("level", "number", "Level that the Map page shows");
+    const auto panel = value("panel", "name", "What stands beside the plan: table, check or route");
+    const auto dark = flag("dark", "Dark colours");
+    const auto alike = flag("alike", "Mark the places that look alike");
     const auto library = value("library", "file", "Landmark library");
     const auto source =
         value("source", "source", "camera:0, a video file, a folder of pictures, an http or rtsp address");
@@ -81,7 +86,8 @@ Options optionsFrom(const QStringList& arguments) {
 
     Options options;
     options.begin = {parser.value(map),  parser.value(library), parser.value(source), 0.0,
-                     parser.value(from), parser.value(to),      parser.value(banner), parser.isSet(start)};
+                     parser.value(from), parser.value(to),      parser.value(banner), parser.isSet(start),
+                     parser.value(edit)};
     if (parser.isSet(fps))
         options.begin.framesPerSecond = positive(parser.value(fps), QStringLiteral("--fps"));
     options.language = parser.value(lang);
@@ -89,6 +95,10 @@ Options optionsFrom(const QStringList& arguments) {
     if (parser.isSet(after))
         options.after = static_cast<int>(positive(parser.value(after), QStringLiteral("--after")));
     if (parser.isSet(size)) options.size = sizeFrom(parser.value(size));
+    if (parser.isSet(level)) options.level = parser.value(level).toDouble();
+    options.panel = parser.value(panel);
+    options.dark = parser.isSet(dark);
+    options.alike = parser.isSet(alike);
     options.selfTest = parser.isSet(selfTest);
     return options;
 }

@@ -17,6 +17,10 @@ struct Options {
     QString screenshot; ///< file; empty: none
     int after = 10;     ///< pictures shown before it is taken
     std::optional<QSize> size;
+    std::optional<double> level; ///< that the Map page shows
+    QString panel;               ///< table, check or route; empty: as it comes
+    bool dark = false;
+    bool alike = false; ///< mark the places that look alike
     bool selfTest = false;
 };
 

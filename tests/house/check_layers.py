@@ -27,11 +27,12 @@ UI = {
     "settings": {"speech"},
     "models": {"convert", "speech"},
     "map": {"convert"},
-    "live": {"convert", "speech", "settings", "models", "map"},
-    "training": {"convert", "speech", "settings", "models", "map"},
-    "curation": {"convert", "speech", "settings", "models", "map"},
-    "kiosk": {"convert", "speech", "settings", "models", "map"},
-    "main_window": {"convert", "speech", "settings", "models", "map", "live", "training", "curation", "kiosk"},
+    "parts": {"convert", "speech", "settings", "models", "map"},
+    "live": {"convert", "speech", "settings", "models", "map", "parts"},
+    "training": {"convert", "speech", "settings", "models", "map", "parts"},
+    "curation": {"convert", "speech", "settings", "models", "map", "parts"},
+    "kiosk": {"convert", "speech", "settings", "models", "map", "parts"},
+    "main_window": {"convert", "speech", "settings", "models", "map", "parts", "live", "training", "curation", "kiosk"},
 }
 # Words are made from guidance's cues alone: the Phrasebook must not see sessions or pictures.
 SPEECH_CORE = {"base", "building", "routing", "localisation", "guidance"}

@@ -11,7 +11,7 @@ import xml.etree.ElementTree as tree
 from pathlib import Path
 
 # The same in both languages: names, symbols and keys.
-SAME = {"Farol", "%1 – Farol", "Tab", "Page Up, Page Down", "OK", "%1", "%1 %", "%1 m", "%1x", "%1×", "%1: %2", "Total", "Local"}
+SAME = {"Farol", "%1 – Farol", "Tab", "Page Up, Page Down", "OK", "%1", "%1 %", "%1 m", "%1x", "%1×", "%1: %2", "Total", "Local", "PDF", "PDF (%1)"}
 
 
 def forms(message):

@@ -35,7 +35,7 @@ struct Reader {
     }
 };
 
-constexpr std::array<std::string_view, 16> kGlyphs{
+constexpr std::array<std::string_view, 27> kGlyphs{
     "M 7 4 L 20 12 L 7 20 Z",                                                                   // Play
     "R 6 4 4 16 R 14 4 4 16",                                                                   // Pause
     "M 5 5 L 15 12 L 5 19 Z R 17 5 2.5 14",                                                     // Step
@@ -52,6 +52,17 @@ constexpr std::array<std::string_view, 16> kGlyphs{
     "R 3 7 18 12 O 12 13 3.5 M 8 7 L 10 4.5 L 14 4.5 L 16 7",                                   // Camera
     "M 6 6 L 18 18 M 18 6 L 6 18",                                                              // Clear
     "M 4 12 L 19 12 M 13 6 L 19 12 L 13 18",                                                    // Go
+    "M 12 3 L 12 14 M 8 10 L 12 14 L 16 10 M 4 15 L 4 20 L 20 20 L 20 15",                      // Import
+    "M 4 4 L 17 4 L 20 7 L 20 20 L 4 20 Z R 8 4 7 5 R 7 13 10 7",                               // Save
+    "M 9 5 L 4 10 L 9 15 M 4 10 L 16 10 L 20 14 L 20 19",                                       // Undo
+    "M 15 5 L 20 10 L 15 15 M 20 10 L 8 10 L 4 14 L 4 19",                                      // Redo
+    "O 9 9 4.5 M 9 14 L 9 21 M 18 13 L 18 21 M 14 17 L 22 17",                                  // AddLandmark
+    "R 4 3 9 18 O 10.5 12 0.8 M 18 13 L 18 21 M 14 17 L 22 17",                                 // AddDoor
+    "M 5 19 L 6 15 L 16 5 L 19 8 L 9 18 Z M 14 7 L 17 10",                                      // Edit
+    "M 5 7 L 19 7 M 9 7 L 10 4 L 14 4 L 15 7 M 7 7 L 8 20 L 16 20 L 17 7 M 12 10 L 12 17",      // Remove
+    "M 4 12 L 10 18 L 20 6",                                                                    // Check
+    "R 3 6 8 12 R 13 6 8 12 M 5.5 12 L 8.5 12 M 15.5 12 L 18.5 12",                             // Alike
+    "R 7 3 10 5 R 4 8 16 8 R 7 14 10 7",                                                        // Print
 };
 
 // In the order of enum class Kind.

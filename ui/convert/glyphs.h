@@ -31,7 +31,18 @@ enum class Glyph {
     Library,
     Camera,
     Clear,
-    Go
+    Go,
+    Import,
+    Save,
+    Undo,
+    Redo,
+    AddLandmark,
+    AddDoor,
+    Edit,
+    Remove,
+    Check,
+    Alike,
+    Print
 };
 
 /// Commands on a 24 x 24 board, y down: "M x y" move, "L x y" line, "Z" close, "R x y w h" box, "O x y r"

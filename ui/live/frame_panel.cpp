@@ -1,7 +1,7 @@
 #include "ui/live/frame_panel.h"
 
 #include "ui/convert/convert.h"
-#include "ui/live/tables.h"
+#include "ui/parts/tables.h"
 
 #include <QEvent>
 #include <QHBoxLayout>

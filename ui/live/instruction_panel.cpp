@@ -2,7 +2,7 @@
 
 #include "ui/convert/convert.h"
 #include "ui/convert/kind_style.h"
-#include "ui/live/tables.h"
+#include "ui/parts/tables.h"
 #include "ui/models/words.h"
 
 #include <QEvent>

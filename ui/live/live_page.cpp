@@ -1,12 +1,12 @@
 #include "ui/live/live_page.h"
 
 #include "ui/convert/convert.h"
-#include "ui/live/banner.h"
+#include "ui/parts/banner.h"
 #include "ui/live/frame_panel.h"
 #include "ui/live/instruction_panel.h"
 #include "ui/live/map_panel.h"
-#include "ui/live/place_chooser.h"
-#include "ui/live/tables.h"
+#include "ui/parts/place_chooser.h"
+#include "ui/parts/tables.h"
 
 #include <QEvent>
 #include <QHBoxLayout>

@@ -2,8 +2,8 @@
 
 #include "ui/convert/convert.h"
 #include "ui/convert/glyphs.h"
-#include "ui/live/tables.h"
 #include "ui/models/words.h"
+#include "ui/parts/tables.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -152,24 +152,14 @@ std::optional<RegionId> MapPanel::regionOf(const MapHit& hit) const {
 QString MapPanel::describe(const MapHit& hit) const {
     const building::Building& map = *m_building;
     switch (hit.what) {
-    case MapHit::What::Region: {
-        const building::Region& region = map.regions()[hit.index];
-        return tr("%1 (%2)").arg(regionLabel(region), Words::regionKind(region.kind));
-    }
-    case MapHit::What::Access: {
-        const building::Access& access = map.accesses()[hit.index];
-        const QString text = tr("%1 between %2 and %3")
-                                 .arg(Words::accessKind(access.kind), regionName(&map, access.regionA),
-                                      regionName(&map, access.regionB));
-        return access.closed ? tr("%1 (closed)").arg(text) : text;
-    }
+    case MapHit::What::Region:
+        return Words::about(map.regions()[hit.index]);
+    case MapHit::What::Access:
+        return Words::about(map, map.accesses()[hit.index]);
     case MapHit::What::Landmark:
         break;
     }
-    const building::Landmark& landmark = map.landmarks()[hit.index];
-    const QString name = toQString(landmark.text.empty() ? landmark.id.value : landmark.text);
-    return tr("%1: %2, in %3")
-        .arg(Phrasebook::kindWord(landmark.kind), name, regionName(&map, landmark.region));
+    return Words::about(map, map.landmarks()[hit.index]);
 }
 
 void MapPanel::openMenu(const MapHit& hit, const QPoint& at) {

@@ -5,7 +5,7 @@
 
 #include "core/building/geopackage.h"
 #include "core/session/navigation_session.h"
-#include "ui/live/material.h"
+#include "ui/convert/background.h"
 
 #include <QObject>
 #include <QString>

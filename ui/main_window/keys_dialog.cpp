@@ -1,7 +1,5 @@
 #include "ui/main_window/keys_dialog.h"
 
-#include "ui/main_window/window_actions.h"
-
 #include <QAction>
 #include <QDialogButtonBox>
 #include <QHeaderView>
@@ -10,14 +8,15 @@
 
 namespace farol::ui {
 
-KeysDialog::KeysDialog(const WindowActions& actions, QWidget* parent) : QDialog(parent) {
+KeysDialog::KeysDialog(const QList<QAction*>& actions, QWidget* parent) : QDialog(parent) {
     setWindowTitle(tr("Keys"));
     QList<std::pair<QString, QString>> rows;
-    for (const QAction* action : actions.withKeys())
+    for (const QAction* action : actions)
         rows.emplace_back(action->shortcut().toString(QKeySequence::NativeText), action->statusTip());
     rows.emplace_back(tr("Arrows"), tr("In the map: move it"));
     rows.emplace_back(QStringLiteral("+ − 0"), tr("In the map: larger, smaller, whole floor"));
     rows.emplace_back(tr("Page Up, Page Down"), tr("In the map: the floor above, the floor below"));
+    rows.emplace_back(tr("Alt + Arrows"), tr("In the plan: move what is chosen by 10 cm, with Shift by 1 m"));
     rows.emplace_back(tr("Tab"), tr("The next button or list"));
 
     auto* table = new QTableWidget(static_cast<int>(rows.size()), 2, this);

@@ -2,16 +2,17 @@
 // The list of keys.
 
 #include <QDialog>
+#include <QList>
+
+class QAction;
 
 namespace farol::ui {
-
-class WindowActions;
 
 class KeysDialog : public QDialog {
     Q_OBJECT
 
 public:
-    explicit KeysDialog(const WindowActions& actions, QWidget* parent = nullptr);
+    explicit KeysDialog(const QList<QAction*>& actions, QWidget* parent = nullptr);
 };
 
 } // namespace farol::ui

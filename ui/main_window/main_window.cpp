@@ -2,14 +2,16 @@
 
 #include "core/building/info.h"
 #include "ui/convert/convert.h"
-#include "ui/live/banner.h"
+#include "ui/curation/map_actions.h"
+#include "ui/curation/plan_panel.h"
 #include "ui/live/frame_panel.h"
 #include "ui/live/map_panel.h"
-#include "ui/live/place_chooser.h"
 #include "ui/main_window/keys_dialog.h"
 #include "ui/main_window/settings_dialog.h"
 #include "ui/main_window/source_dialog.h"
 #include "ui/main_window/window_actions.h"
+#include "ui/parts/banner.h"
+#include "ui/parts/place_chooser.h"
 
 #include <QAction>
 #include <QApplication>
@@ -23,9 +25,13 @@
 #include <QLineEdit>
 #include <QLocale>
 #include <QMenu>
+#include <QMenuBar>
 #include <QMessageBox>
 #include <QProgressBar>
+#include <QStackedWidget>
 #include <QStatusBar>
+#include <QTabBar>
+#include <QTimer>
 
 namespace farol::ui {
 
@@ -50,9 +56,14 @@ MainWindow::MainWindow(Settings& settings, Walk::OpenSource open, SpeechDesk::Ma
       m_speech(settings, std::move(makeOutput)),
       m_actions(new WindowActions(*this)),
       m_page(new LivePage(m_walk, m_speech, settings, this)),
+      m_mapPage(new MapPage(settings, this)),
+      m_pages(new QStackedWidget(this)),
+      m_pageTabs(new QTabBar(this)),
       m_status(new QLabel(this)),
       m_busy(new QProgressBar(this)) {
-    setCentralWidget(m_page);
+    m_pages->addWidget(m_page);
+    m_pages->addWidget(m_mapPage);
+    setCentralWidget(m_pages);
     m_status->setTextFormat(Qt::PlainText);
     m_busy->setRange(0, 0);
     m_busy->setMaximumWidth(120);
@@ -69,6 +80,7 @@ MainWindow::MainWindow(Settings& settings, Walk::OpenSource open, SpeechDesk::Ma
     connectVoice();
     connectView();
     connectNews();
+    connectPages();
     m_walk.setVerbosity(settings.verbosity());
     m_walk.setRecordFolder([this] { return nextRecording(); });
     const int speed = m_actions->speed->findData(settings.speed());
@@ -95,7 +107,8 @@ void MainWindow::connectFile() {
     connect(a.openSource, &QAction::triggered, this, &MainWindow::chooseSource);
     connect(a.quit, &QAction::triggered, this, &QWidget::close);
     connect(a.settings, &QAction::triggered, this, [this] { SettingsDialog(m_settings, this).exec(); });
-    connect(a.keys, &QAction::triggered, this, [this] { KeysDialog(*m_actions, this).exec(); });
+    connect(a.keys, &QAction::triggered, this,
+            [this] { KeysDialog(m_actions->withKeys() + m_mapPage->actions().withKeys(), this).exec(); });
     connect(a.about, &QAction::triggered, this, [this] {
         QMessageBox::about(
             this, tr("About Farol"),
@@ -145,10 +158,9 @@ void MainWindow::connectVoice() {
 
 void MainWindow::connectView() {
     const WindowActions& a = *m_actions;
-    MapView& map = m_page->mapPanel().view();
-    connect(a.fitMap, &QAction::triggered, &map, &MapView::fit);
-    connect(a.zoomIn, &QAction::triggered, &map, [&map] { map.zoom(1.25); });
-    connect(a.zoomOut, &QAction::triggered, &map, [&map] { map.zoom(0.8); });
+    connect(a.fitMap, &QAction::triggered, this, [this] { shownMap().fit(); });
+    connect(a.zoomIn, &QAction::triggered, this, [this] { shownMap().zoom(1.25); });
+    connect(a.zoomOut, &QAction::triggered, this, [this] { shownMap().zoom(0.8); });
     connect(a.follow, &QAction::toggled, &m_settings, &Settings::setFollowLevel);
     connect(a.grid, &QAction::toggled, &m_settings, &Settings::setShowGrid);
     connect(a.rejected, &QAction::toggled, &m_settings, &Settings::setShowRejected);
@@ -161,6 +173,49 @@ void MainWindow::connectView() {
     refresh();
     connect(a.nextPane, &QAction::triggered, this, [this] { movePane(1); });
     connect(a.previousPane, &QAction::triggered, this, [this] { movePane(-1); });
+}
+
+void MainWindow::connectPages() {
+    const WindowActions& a = *m_actions;
+    m_actions->addPageMenu(m_mapPage->actions().menu());
+    m_pageTabs->setDocumentMode(true);
+    m_pageTabs->setDrawBase(false);
+    m_pageTabs->setExpanding(false);
+    m_pageTabs->addTab(QString());
+    m_pageTabs->addTab(QString());
+    menuBar()->setCornerWidget(m_pageTabs);
+    connect(m_pageTabs, &QTabBar::currentChanged, this, [this](int tab) { showMap(tab == 1); });
+    connect(a.walkPage, &QAction::triggered, this, [this] { showMap(false); });
+    connect(a.mapPage, &QAction::triggered, this, [this] { showMap(true); });
+    connect(m_mapPage, &MapPage::walkWanted, this, [this](const QString& path) {
+        showMap(false);
+        m_walk.loadMap(path);
+    });
+    connect(m_mapPage, &MapPage::documentChanged, this, &MainWindow::retranslate);
+    showMap(false);
+}
+
+bool MainWindow::showsMap() const {
+    return m_pages->currentWidget() == m_mapPage;
+}
+
+MapView& MainWindow::shownMap() {
+    return showsMap() ? m_mapPage->plan().view() : m_page->mapPanel().view();
+}
+
+void MainWindow::showMap(bool shown) {
+    const bool changed = shown != showsMap();
+    m_pages->setCurrentIndex(shown ? 1 : 0);
+    m_pageTabs->setCurrentIndex(shown ? 1 : 0);
+    m_actions->showWalk(!shown);
+    m_mapPage->actions().menu().menuAction()->setVisible(shown);
+    if (shown && changed) {
+        m_mapPage->firstFocus()->setFocus(Qt::OtherFocusReason);
+        const MapDocument& document = m_mapPage->document();
+        const bool empty = !document.building() && document.work() == MapDocument::Work::None;
+        if (empty && !m_walk.mapName().isEmpty()) m_mapPage->open(m_walk.mapName());
+    }
+    retranslate();
 }
 
 void MainWindow::connectNews() {
@@ -205,6 +260,12 @@ void MainWindow::begin(const StartOptions& options) {
     if (!options.library.isEmpty()) m_walk.loadLibrary(options.library);
     if (!options.map.isEmpty()) m_walk.loadMap(options.map);
     if (options.play) m_walk.play();
+    if (options.edit.isEmpty()) return;
+    showMap(true);
+    if (!options.from.isEmpty() || !options.to.isEmpty())
+        connect(&m_mapPage->document(), &MapDocument::opened, this,
+                [this, options] { m_mapPage->showRoute(options.from, options.to); });
+    m_mapPage->open(options.edit);
 }
 
 void MainWindow::resolvePlaces() {
@@ -305,6 +366,7 @@ void MainWindow::movePane(int by) {
     std::vector<QWidget*> panes{&m_page->destination().edit(), &m_page->startPlace().edit(),
                                 &m_page->framePanel().view(), &m_page->mapPanel().view()};
     for (QWidget* table : m_page->tables()) panes.push_back(table);
+    if (showsMap()) panes = m_mapPage->panes();
     int at = by > 0 ? -1 : 0;
     for (std::size_t i = 0; i < panes.size(); ++i)
         if (panes[i]->hasFocus()) at = static_cast<int>(i);
@@ -322,7 +384,12 @@ void MainWindow::fillRecent() {
         }
         menu->setEnabled(!menu->isEmpty());
     };
-    fill(m_actions->recentMaps, RecentKind::Map, [this](const QString& item) { m_walk.loadMap(item); });
+    fill(m_actions->recentMaps, RecentKind::Map, [this](const QString& item) {
+        if (showsMap())
+            m_mapPage->open(item);
+        else
+            m_walk.loadMap(item);
+    });
     fill(m_actions->recentLibraries, RecentKind::Library,
          [this](const QString& item) { m_walk.loadLibrary(item); });
     fill(m_actions->recentSources, RecentKind::Source, [this](const QString& item) {
@@ -331,6 +398,7 @@ void MainWindow::fillRecent() {
 }
 
 void MainWindow::chooseMap() {
+    if (showsMap()) return m_mapPage->chooseMap();
     const QString file = QFileDialog::getOpenFileName(
         this, tr("Open a map"), QFileInfo(m_walk.mapName()).path(),
         tr("Maps (%1);;All files (%2)").arg(QStringLiteral("*.gpkg"), QStringLiteral("*")));
@@ -350,13 +418,24 @@ void MainWindow::chooseSource() {
 }
 
 QString MainWindow::title() const {
-    if (!m_walk.building()) return tr("Farol");
-    const QString name = toQString(m_walk.building()->data().title);
-    return tr("%1 – Farol").arg(name.isEmpty() ? QFileInfo(m_walk.mapName()).fileName() : name);
+    const auto of = [this](const auto& building, const QString& file) {
+        if (!building) return tr("Farol");
+        const QString name = toQString(building->data().title);
+        return tr("%1 – Farol").arg(name.isEmpty() ? QFileInfo(file).fileName() : name);
+    };
+    if (!showsMap()) return of(m_walk.building(), m_walk.mapName());
+    const MapDocument& document = m_mapPage->document();
+    // The mark of unsaved changes that every desktop uses.
+    return of(document.building(), document.source()) + QStringLiteral("[*]");
 }
 
 void MainWindow::retranslate() {
     setWindowTitle(title());
+    setWindowModified(showsMap() && m_mapPage->document().unsaved());
+    m_pageTabs->setTabText(0, tr("Walk"));
+    m_pageTabs->setTabText(1, tr("Map"));
+    m_pageTabs->setAccessibleName(tr("Pages"));
+    m_pageTabs->setToolTip(tr("Watch a walk, or work on a map (Ctrl+1, Ctrl+2)"));
     m_actions->closeLibrary->setEnabled(!m_walk.libraryName().isEmpty());
     const bool portuguese = installedLanguage() == QLatin1String("pt");
     (portuguese ? m_actions->portuguese : m_actions->english)->setChecked(true);
@@ -374,8 +453,19 @@ void MainWindow::changeEvent(QEvent* event) {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
+    if (m_mapPage->document().unsaved() && !m_leaving) {
+        event->ignore();
+        showMap(true);
+        m_mapPage->whenSaved([this] {
+            m_leaving = true;
+            QTimer::singleShot(0, this, &QWidget::close); // when the question's own window is gone
+        });
+        return;
+    }
+    m_leaving = false;
     m_settings.setWindowGeometry(saveGeometry());
     m_page->saveLayout();
+    m_mapPage->saveLayout();
     m_settings.sync();
     m_walk.stop();
     QMainWindow::closeEvent(event);

@@ -1,6 +1,7 @@
 #pragma once
 // The workstation's window: pages, menus, keys.
 
+#include "ui/curation/map_page.h"
 #include "ui/live/live_page.h"
 #include "ui/live/speech_desk.h"
 #include "ui/live/walk.h"
@@ -11,9 +12,12 @@
 
 class QLabel;
 class QProgressBar;
+class QStackedWidget;
+class QTabBar;
 
 namespace farol::ui {
 
+class MapView;
 class WindowActions;
 
 class MainWindow : public QMainWindow {
@@ -31,6 +35,9 @@ public:
 
     Walk& walk() { return m_walk; }
     LivePage& page() { return *m_page; }
+    MapPage& mapPage() { return *m_mapPage; }
+    bool showsMap() const; ///< the Map page rather than the Walk page
+    void showMap(bool shown);
     WindowActions& actions() { return *m_actions; }
 
 protected:
@@ -43,6 +50,8 @@ private:
     void connectVoice();
     void connectView();
     void connectNews();
+    void connectPages();
+    MapView& shownMap();
     void showState(session::RunState state);
     void showProblem(Problem kind, const QString& message);
     void toggleRecording(bool on);
@@ -62,9 +71,13 @@ private:
     SpeechDesk m_speech;
     WindowActions* m_actions;
     LivePage* m_page;
+    MapPage* m_mapPage;
+    QStackedWidget* m_pages;
+    QTabBar* m_pageTabs;
     QLabel* m_status;
     QProgressBar* m_busy;
-    QString m_from, m_to; ///< to be looked up once the map is there
+    QString m_from, m_to;   ///< to be looked up once the map is there
+    bool m_leaving = false; ///< what was unsaved has been dealt with
 };
 
 } // namespace farol::ui

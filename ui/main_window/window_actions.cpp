@@ -82,6 +82,13 @@ void WindowActions::buildMenus() {
     languages->addAction(portuguese);
 
     m_view = bar->addMenu(QString());
+    walkPage = add(m_view, {Qt::CTRL | Qt::Key_1}, true);
+    mapPage = add(m_view, {Qt::CTRL | Qt::Key_2}, true);
+    auto* pages = new QActionGroup(this);
+    pages->addAction(walkPage);
+    pages->addAction(mapPage);
+    walkPage->setChecked(true);
+    m_view->addSeparator();
     fitMap = add(m_view, {Qt::CTRL | Qt::Key_0});
     zoomIn = add(m_view, {QKeySequence::ZoomIn, Qt::CTRL | Qt::Key_Equal});
     zoomOut = add(m_view, {QKeySequence::ZoomOut});
@@ -151,6 +158,19 @@ void WindowActions::setPlaying(bool playing) {
     retranslate();
 }
 
+void WindowActions::addPageMenu(QMenu& menu) {
+    m_window.menuBar()->insertMenu(m_view->menuAction(), &menu);
+}
+
+void WindowActions::showWalk(bool shown) {
+    m_bar->setVisible(shown);
+    // Their keys belong to the page that is shown.
+    for (QAction* action : {follow, grid, rejected, destination, start, noDestination, openSource}) {
+        action->setEnabled(shown);
+    }
+    (shown ? walkPage : mapPage)->setChecked(true);
+}
+
 bool WindowActions::eventFilter(QObject* watched, QEvent* event) {
     if (watched == &m_window && event->type() == QEvent::PaletteChange) refreshIcons();
     return QObject::eventFilter(watched, event);
@@ -207,6 +227,8 @@ void WindowActions::retranslate() {
     name(english, QStringLiteral("English"), QStringLiteral("English"), QStringLiteral("English"));
     name(portuguese, QStringLiteral("Português"), QStringLiteral("Português"), QStringLiteral("Português"));
 
+    name(walkPage, tr("Wal&k page"), tr("Walk"), tr("Watch a walk"));
+    name(mapPage, tr("&Map page"), tr("Map"), tr("Look at the map of a building, check it and change it"));
     name(fitMap, tr("&Whole floor"), tr("Whole floor"), tr("Show the whole floor"));
     name(zoomIn, tr("&Larger map"), tr("Larger"), tr("Show the map larger"));
     name(zoomOut, tr("&Smaller map"), tr("Smaller"), tr("Show the map smaller"));

@@ -27,6 +27,7 @@ public:
     QAction *openMap, *openLibrary, *closeLibrary, *openSource, *settings, *quit;
     QAction *play, *step, *stop, *record, *faster, *slower;
     QAction *destination, *start, *noDestination, *repeat, *mute;
+    QAction *walkPage, *mapPage;
     QAction *grid, *rejected, *follow, *fitMap, *zoomIn, *zoomOut, *nextPane, *previousPane;
     QAction *english, *portuguese, *keys, *about;
     QMenu *recentMaps, *recentLibraries, *recentSources;
@@ -34,6 +35,10 @@ public:
 
     void retranslate();
     void setPlaying(bool playing); ///< the first command is Pause while a walk runs
+    /// Puts a page's own menu behind those of the walk.
+    void addPageMenu(QMenu& menu);
+    /// The tool bar, and what makes no sense while another page is shown, follow the page.
+    void showWalk(bool shown);
     /// All with a key of their own, for the list of keys.
     QList<QAction*> withKeys() const;
 

@@ -24,19 +24,26 @@ std::optional<MapHit> hitAt(QPointF screen, const MapScene& scene, double level,
         best = gap;
         hit = candidate;
     };
-    for (const std::size_t index : floor->landmarks)
+    const Point2 point = view.mapFromScreen(screen);
+    const Box2 around = building::grown({point, point}, tolerancePx / view.pixelsPerMetre());
+    for (const std::size_t i : floor->landmarkIndex.meeting(around)) {
+        const std::size_t index = floor->landmarks[i];
         offer(pixelsBetween(screen, view.screenFromMap(scene.building().landmarks()[index].position)),
               {MapHit::What::Landmark, index});
+    }
     if (hit) return hit;
-    for (const AccessShape& access : floor->accesses)
+    for (const std::size_t i : floor->accessIndex.meeting(around)) {
+        const AccessShape& access = floor->accesses[i];
         offer(pixelsBetween(screen, view.screenFromMap(access.middle)), {MapHit::What::Access, access.index});
+    }
     if (hit) return hit;
 
-    const Point2 point = view.mapFromScreen(screen);
-    for (auto shape = floor->regions.rbegin(); shape != floor->regions.rend();
-         ++shape) // the smallest is last
-        if (contains(scene.building().regions()[shape->index].polygon, point))
-            return MapHit{MapHit::What::Region, shape->index};
+    const std::vector<std::size_t> under = floor->regionIndex.meeting({point, point});
+    for (auto i = under.rbegin(); i != under.rend(); ++i) { // the smallest is last
+        const std::size_t index = floor->regions[*i].index;
+        if (contains(scene.building().regions()[index].polygon, point))
+            return MapHit{MapHit::What::Region, index};
+    }
     return std::nullopt;
 }
 

@@ -53,4 +53,42 @@ QColor MapColours::heat(double share) const {
             mix(floor.blue(), strong.blue())};
 }
 
+QColor MapColours::fill(building::RegionKind kind) const {
+    switch (kind) {
+    case building::RegionKind::Room:
+        return dark ? QColor(0x2b3648) : QColor(0xe3ecf9);
+    case building::RegionKind::Corridor:
+        return dark ? QColor(0x3a3d42) : QColor(0xfdfdfb);
+    case building::RegionKind::Hall:
+        return dark ? QColor(0x3d3a2c) : QColor(0xfbf4dc);
+    case building::RegionKind::Stairwell:
+        return dark ? QColor(0x40304c) : QColor(0xecdff5);
+    case building::RegionKind::Elevator:
+        return dark ? QColor(0x4d3442) : QColor(0xf8dcea);
+    case building::RegionKind::Toilet:
+        return dark ? QColor(0x234241) : QColor(0xd8f0ec);
+    case building::RegionKind::Outside:
+        return dark ? QColor(0x29402c) : QColor(0xe0f0dc);
+    case building::RegionKind::Other:
+        break;
+    }
+    return dark ? QColor(0x2a2f37) : QColor(0xf0f1f3);
+}
+
+RegionMarkStyle regionMarkStyle(RegionMark mark, bool dark) {
+    switch (mark) {
+    case RegionMark::NoLandmark:
+        return {dark ? QColor(0x8a94a3) : QColor(0x7d8793), Qt::BDiagPattern};
+    case RegionMark::LooksAlike:
+        return {dark ? QColor(0xffb35c) : QColor(0xb35900), Qt::FDiagPattern};
+    case RegionMark::LandmarkHelps:
+        return {dark ? QColor(0x74d991) : QColor(0x0b6b2f), Qt::CrossPattern};
+    case RegionMark::CutOff:
+        return {dark ? QColor(0xff9a9a) : QColor(0xa3142b), Qt::DiagCrossPattern};
+    case RegionMark::None:
+        break;
+    }
+    return {};
+}
+
 } // namespace farol::ui

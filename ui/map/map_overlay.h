@@ -4,11 +4,15 @@
 #include "core/localisation/localiser.h"
 #include "core/routing/route.h"
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
 
 namespace farol::ui {
+
+/// What a region is marked as, apart from votes. Drawn as hatching, so that colour never stands alone.
+enum class RegionMark : std::uint8_t { None, NoLandmark, LooksAlike, LandmarkHelps, CutOff };
 
 struct MapOverlay {
     std::optional<localisation::Fix> fix;
@@ -16,10 +20,20 @@ struct MapOverlay {
     std::size_t regionsPassed = 0; ///< of the route
     std::optional<RegionId> destination;
     std::optional<RegionId> start;
-    double sureConfidence = 0.5; ///< from here on a place counts as sure
+    std::shared_ptr<const std::vector<RegionMark>> marks; ///< by index of the region; null: none
+    double sureConfidence = 0.5;                          ///< from here on a place counts as sure
 
     /// 0 to 1: the share of the best vote; 0 for a region without one.
     double heatOf(const RegionId& region) const;
+};
+
+/// How the map is drawn: the walk's map shows likelihoods, the curator's what the regions are.
+struct MapStyle {
+    bool kinds = false;     ///< a colour for each kind of region
+    bool likelihood = true; ///< the legend of votes
+    bool scale = false;     ///< a bar of so many metres
+
+    friend bool operator==(const MapStyle&, const MapStyle&) = default;
 };
 
 } // namespace farol::ui

@@ -15,15 +15,12 @@ void addRing(QPainterPath& path, const Ring& ring) {
     path.closeSubpath();
 }
 
-void addLine(QPainterPath& path, const Polyline& line) {
-    if (line.size() < 2) return;
-    path.moveTo(line.front().x, line.front().y);
-    for (std::size_t i = 1; i < line.size(); ++i) path.lineTo(line[i].x, line[i].y);
+Box2 boxOf(const QRectF& rect) {
+    return {{rect.left(), rect.top()}, {rect.right(), rect.bottom()}};
 }
 
-void extend(QRectF& bounds, Point2 point) {
-    const QRectF spot(point.x, point.y, 0.001, 0.001);
-    bounds = bounds.isNull() ? spot : bounds.united(spot);
+Box2 boxOf(const Polyline& line) {
+    return boundingBox(line).value_or(Box2{});
 }
 
 } // namespace
@@ -34,22 +31,48 @@ MapScene::MapScene(std::shared_ptr<const building::Building> building) : m_build
     addAccesses();
     for (std::size_t i = 0; i < m_building->landmarks().size(); ++i)
         levelFor(m_building->landmarks()[i].level).landmarks.push_back(i);
-    for (const building::Wall& wall : m_building->data().walls)
-        addLine(levelFor(wall.level).walls, wall.line);
+    const std::vector<building::Wall>& walls = m_building->data().walls;
+    for (std::size_t i = 0; i < walls.size(); ++i)
+        if (walls[i].line.size() >= 2) levelFor(walls[i].level).walls.push_back(i);
 
     std::sort(m_levels.begin(), m_levels.end(),
               [](const LevelScene& a, const LevelScene& b) { return a.ordinal < b.ordinal; });
-    for (LevelScene& level : m_levels) {
-        std::stable_sort(
-            level.regions.begin(), level.regions.end(), [](const RegionShape& a, const RegionShape& b) {
-                return a.bounds.width() * a.bounds.height() > b.bounds.width() * b.bounds.height();
-            });
-        QRectF bounds = level.walls.boundingRect();
-        for (const RegionShape& shape : level.regions) bounds = bounds.united(shape.bounds);
-        for (const std::size_t index : level.landmarks)
-            extend(bounds, m_building->landmarks()[index].position);
-        level.bounds = {{bounds.left(), bounds.top()}, {bounds.right(), bounds.bottom()}};
+    m_homes.resize(m_building->regions().size(), {m_levels.size(), 0});
+    for (std::size_t i = 0; i < m_levels.size(); ++i) {
+        finishLevel(m_levels[i]);
+        for (std::size_t shape = 0; shape < m_levels[i].regions.size(); ++shape)
+            m_homes[m_levels[i].regions[shape].index] = {i, shape};
     }
+}
+
+void MapScene::finishLevel(LevelScene& level) {
+    std::stable_sort(level.regions.begin(), level.regions.end(),
+                     [](const RegionShape& a, const RegionShape& b) {
+                         return a.bounds.width() * a.bounds.height() > b.bounds.width() * b.bounds.height();
+                     });
+    std::optional<Box2> all;
+    const auto index = [&](const auto& list, auto box) {
+        std::vector<Box2> boxes;
+        boxes.reserve(list.size());
+        for (const auto& item : list) {
+            const Box2 one = box(item);
+            boxes.push_back(one);
+            if (!isFinite(one.low) || !isFinite(one.high)) continue;
+            if (!all) all = one;
+            all->low = {std::min(all->low.x, one.low.x), std::min(all->low.y, one.low.y)};
+            all->high = {std::max(all->high.x, one.high.x), std::max(all->high.y, one.high.y)};
+        }
+        return building::BoxIndex(boxes);
+    };
+    level.regionIndex = index(level.regions, [](const RegionShape& shape) { return boxOf(shape.bounds); });
+    level.accessIndex = index(level.accesses, [](const AccessShape& shape) { return boxOf(shape.line); });
+    level.landmarkIndex = index(level.landmarks, [this](std::size_t i) {
+        const Point2 at = m_building->landmarks()[i].position;
+        return Box2{at, at};
+    });
+    level.wallIndex =
+        index(level.walls, [this](std::size_t i) { return boxOf(m_building->data().walls[i].line); });
+    level.bounds = all.value_or(Box2{});
 }
 
 LevelScene& MapScene::levelFor(double ordinal) {
@@ -63,14 +86,16 @@ LevelScene& MapScene::levelFor(double ordinal) {
 void MapScene::addRegions() {
     for (std::size_t i = 0; i < m_building->regions().size(); ++i) {
         const building::Region& region = m_building->regions()[i];
+        if (region.polygon.outer.size() < 3) continue; // the check tells of it
         RegionShape shape;
         shape.index = i;
         shape.path.setFillRule(Qt::OddEvenFill);
         addRing(shape.path, region.polygon.outer);
         for (const Ring& hole : region.polygon.holes) addRing(shape.path, hole);
         shape.bounds = shape.path.boundingRect();
-        if (region.polygon.outer.size() >= 3) shape.labelAt = pointInside(region.polygon);
+        shape.labelAt = pointInside(region.polygon);
         shape.label = regionLabel(region);
+        shape.brief = toQString(region.ref);
         levelFor(region.level).regions.push_back(std::move(shape));
     }
 }
@@ -96,11 +121,9 @@ const LevelScene* MapScene::level(double ordinal) const {
 const RegionShape* MapScene::shapeOf(const RegionId& id) const {
     const std::optional<std::size_t> index = m_building->regionIndex(id);
     if (!index) return nullptr;
-    const LevelScene* home = level(m_building->regions()[*index].level);
-    if (!home) return nullptr;
-    for (const RegionShape& shape : home->regions)
-        if (shape.index == *index) return &shape;
-    return nullptr;
+    const Home home = m_homes[*index];
+    if (home.level >= m_levels.size()) return nullptr;
+    return &m_levels[home.level].regions[home.shape];
 }
 
 } // namespace farol::ui

@@ -1,6 +1,7 @@
 #pragma once
 // A building prepared for drawing: one set of shapes in metres for each level.
 
+#include "core/building/box_index.h"
 #include "core/building/building.h"
 
 #include <QPainterPath>
@@ -17,6 +18,7 @@ struct RegionShape {
     QRectF bounds;
     Point2 labelAt; ///< surely inside
     QString label;
+    QString brief; ///< the number on the door, where the whole name finds no room; may be empty
 };
 
 struct AccessShape {
@@ -30,8 +32,9 @@ struct LevelScene {
     std::vector<RegionShape> regions; ///< largest first, so that small ones lie on top
     std::vector<AccessShape> accesses;
     std::vector<std::size_t> landmarks;
-    QPainterPath walls;
+    std::vector<std::size_t> walls; ///< in BuildingData::walls
     Box2 bounds;
+    building::BoxIndex regionIndex, accessIndex, landmarkIndex, wallIndex; ///< of the lists above
 };
 
 /// Built once per building; never changed afterwards. Stairs and lifts are drawn on both of the levels they
@@ -49,9 +52,15 @@ private:
     LevelScene& levelFor(double ordinal);
     void addRegions();
     void addAccesses();
+    void finishLevel(LevelScene& level);
+
+    struct Home {
+        std::size_t level = 0, shape = 0;
+    };
 
     std::shared_ptr<const building::Building> m_building;
     std::vector<LevelScene> m_levels;
+    std::vector<Home> m_homes; ///< of each region
 };
 
 } // namespace farol::ui

@@ -21,10 +21,12 @@ namespace {
 constexpr double kZoomStep = 1.25;
 constexpr double kPanStepPx = 48.0;
 constexpr double kFitMarginPx = 34.0;
+constexpr std::size_t kLargeFrom =
+    1200; // regions and doors of a level; drawing fewer takes a few milliseconds
 
 } // namespace
 
-MapView::MapView(QWidget* parent) : QWidget(parent) {
+MapView::MapView(QWidget* parent) : QWidget(parent), m_background(this) {
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setAttribute(Qt::WA_OpaquePaintEvent);
@@ -32,14 +34,48 @@ MapView::MapView(QWidget* parent) : QWidget(parent) {
 }
 
 void MapView::setBuilding(const std::shared_ptr<const building::Building>& building) {
-    m_scene = building ? std::make_unique<MapScene>(building) : nullptr;
+    setScene(building ? std::make_shared<const MapScene>(building) : nullptr);
     m_overlay = {};
-    m_hovered.reset();
     m_selected.reset();
+    m_pictureVersion = 0; // of another building: not even for a moment
     if (m_scene && !m_scene->levels().empty() && !m_scene->level(m_level))
         m_level = m_scene->levels().front().ordinal;
     fit();
     Q_EMIT levelChanged(m_level);
+}
+
+void MapView::setScene(std::shared_ptr<const MapScene> scene) {
+    m_scene = std::move(scene);
+    m_hovered.reset();
+    m_grip.reset();
+    m_pressedAt.reset();
+    m_dragging = false;
+    dropCache();
+}
+
+void MapView::replaceBuilding(const std::shared_ptr<const building::Building>& building) {
+    if (!building || !m_scene) return setBuilding(building);
+    setScene(std::make_shared<const MapScene>(building));
+    if (m_selected) {
+        const std::size_t count = m_selected->what == MapHit::What::Region   ? building->regions().size()
+                                  : m_selected->what == MapHit::What::Access ? building->accesses().size()
+                                                                             : building->landmarks().size();
+        if (m_selected->index >= count) select(std::nullopt, false);
+    }
+    if (!m_scene->levels().empty() && !m_scene->level(m_level)) setLevel(m_scene->levels().front().ordinal);
+}
+
+void MapView::setStyle(const MapStyle& style) {
+    if (style == m_style) return;
+    m_style = style;
+    dropCache();
+}
+
+void MapView::setTool(Tool tool) {
+    m_tool = tool;
+    m_grip.reset();
+    setCursor(tool == Tool::Place ? Qt::CrossCursor : Qt::ArrowCursor);
+    update();
 }
 
 void MapView::setOverlay(const MapOverlay& overlay) {
@@ -52,7 +88,7 @@ void MapView::setLevel(double ordinal) {
     m_level = ordinal;
     m_hovered.reset();
     if (m_fitted) fit();
-    dropCache();
+    update();
     Q_EMIT levelChanged(m_level);
 }
 
@@ -71,7 +107,7 @@ void MapView::zoom(double factor) {
 
 void MapView::setViewTransform(const ViewTransform& view) {
     m_view = view;
-    dropCache();
+    update();
 }
 
 void MapView::select(const std::optional<MapHit>& hit, bool centre) {
@@ -94,56 +130,117 @@ std::optional<MapHit> MapView::hit(QPointF screen) const {
 }
 
 void MapView::dropCache() {
-    m_ground = QPixmap();
-    m_furnishing = QPixmap();
-    m_names = QPixmap();
+    ++m_version;
     update();
 }
 
-void MapView::renderCache() {
-    const double ratio = devicePixelRatioF();
-    const MapColours colours = MapColours::of(isDark(palette()));
-    const MapPainter map(*m_scene, m_level, m_view, colours, font());
-    const auto fresh = [&] {
-        QPixmap pixmap(size() * ratio);
-        pixmap.setDevicePixelRatio(ratio);
-        pixmap.fill(Qt::transparent);
-        return pixmap;
+bool MapView::isLarge() const {
+    const LevelScene* level = m_scene->level(m_level);
+    return level && level->regions.size() + level->accesses.size() + level->walls.size() / 4 > kLargeFrom;
+}
+
+MapView::Order MapView::order() const {
+    return {m_scene,  m_level, m_view, isDark(palette()), font(), m_style, size(), devicePixelRatioF(),
+            m_version};
+}
+
+MapView::Picture MapView::draw(const Order& order) {
+    const MapColours colours = MapColours::of(order.dark);
+    const MapPainter map(*order.scene, order.level, order.view, colours, order.font, order.style);
+    const auto paint = [&](QImage::Format format, auto part) {
+        QImage image(order.size * order.ratio, format);
+        image.setDevicePixelRatio(order.ratio);
+        image.fill(Qt::transparent);
+        QPainter painter(&image);
+        (map.*part)(painter);
+        return image;
     };
-    m_ground = fresh();
-    QPainter ground(&m_ground);
-    map.paintGround(ground);
-    ground.end();
-    m_furnishing = fresh();
-    QPainter furnishing(&m_furnishing);
-    map.paintFurnishing(furnishing);
-    furnishing.end();
-    m_names = fresh();
-    QPainter names(&m_names);
-    map.paintNames(names);
+    return {paint(QImage::Format_RGB32, &MapPainter::paintGround),
+            paint(QImage::Format_ARGB32_Premultiplied, &MapPainter::paintFurnishing),
+            paint(QImage::Format_ARGB32_Premultiplied, &MapPainter::paintNames),
+            order.view,
+            order.level,
+            order.version};
+}
+
+void MapView::take(Picture picture) {
+    m_ground = QPixmap::fromImage(std::move(picture.ground));
+    m_furnishing = QPixmap::fromImage(std::move(picture.furnishing));
+    m_names = QPixmap::fromImage(std::move(picture.names));
+    m_pictureView = picture.view;
+    m_pictureLevel = picture.level;
+    m_pictureVersion = picture.version;
+}
+
+/// Small floors are drawn at once. Large ones are drawn on another thread, while the old picture is moved and
+/// stretched to where the view is now: the window never waits.
+void MapView::refreshPicture() {
+    if (settled() || m_drawing) return;
+    if (!isLarge()) return take(draw(order()));
+    m_drawing = true;
+    m_background.run([order = order()] { return draw(order); },
+                     [this](Picture picture) {
+                         m_drawing = false;
+                         take(std::move(picture));
+                         update();
+                     });
+}
+
+bool MapView::settled() const {
+    return !m_scene ||
+           (m_pictureVersion == m_version && m_pictureView == m_view && m_pictureLevel == m_level);
+}
+
+void MapView::paintPicture(QPainter& painter, const QPixmap& picture) const {
+    if (m_pictureView == m_view) return painter.drawPixmap(0, 0, picture);
+    const double scale = m_view.pixelsPerMetre() / m_pictureView.pixelsPerMetre();
+    const QPointF corner = m_view.screenFromMap(m_pictureView.mapFromScreen({0.0, 0.0}));
+    painter.save();
+    painter.translate(corner);
+    painter.scale(scale, scale);
+    painter.drawPixmap(0, 0, picture);
+    painter.restore();
+}
+
+void MapView::paintMap(QPainter& painter) {
+    const MapColours colours = MapColours::of(isDark(palette()));
+    const MapPainter map(*m_scene, m_level, m_view, colours, font(), m_style);
+    const bool usable = m_pictureVersion != 0 && m_pictureLevel == m_level;
+    painter.fillRect(rect(), colours.outside);
+    if (usable) paintPicture(painter, m_ground);
+    map.paintTint(painter, m_overlay);
+    if (usable) paintPicture(painter, m_furnishing);
+    map.paintRoute(painter, m_overlay);
+    if (usable) paintPicture(painter, m_names);
+    map.paintMarks(painter, m_overlay);
+    if (m_hovered) map.paintSelection(painter, *m_hovered, false);
+    if (m_selected) map.paintSelection(painter, *m_selected, true);
+    if (m_grip && m_dragging && m_selected) map.paintMoving(painter, *m_selected, m_movedBy);
+    if (m_style.likelihood) map.paintLegend(painter, tr("Less likely"), tr("More likely"));
+    if (m_style.scale) map.paintScale(painter);
+}
+
+/// Where Return would put the new thing.
+void MapView::paintCross(QPainter& painter) const {
+    const QPointF middle = QRectF(rect()).center();
+    painter.setPen(QPen(palette().color(QPalette::Highlight), 2));
+    painter.drawLine(middle - QPointF(14, 0), middle + QPointF(14, 0));
+    painter.drawLine(middle - QPointF(0, 14), middle + QPointF(0, 14));
 }
 
 void MapView::paintEvent(QPaintEvent* /*event*/) {
     QPainter painter(this);
-    const MapColours colours = MapColours::of(isDark(palette()));
     if (!m_scene) {
+        const MapColours colours = MapColours::of(isDark(palette()));
         painter.fillRect(rect(), colours.outside);
         painter.setPen(colours.text);
         painter.drawText(rect().adjusted(16, 16, -16, -16), Qt::AlignCenter | Qt::TextWordWrap,
                          tr("No map is open.\nOpen one with Ctrl+O."));
         return;
     }
-    if (m_ground.isNull()) renderCache();
-    const MapPainter map(*m_scene, m_level, m_view, colours, font());
-    painter.drawPixmap(0, 0, m_ground);
-    map.paintTint(painter, m_overlay);
-    painter.drawPixmap(0, 0, m_furnishing);
-    map.paintRoute(painter, m_overlay);
-    painter.drawPixmap(0, 0, m_names);
-    map.paintMarks(painter, m_overlay);
-    if (m_hovered) map.paintSelection(painter, *m_hovered, false);
-    if (m_selected) map.paintSelection(painter, *m_selected, true);
-    map.paintLegend(painter, tr("Less likely"), tr("More likely"));
+    refreshPicture();
+    paintMap(painter);
+    if (m_tool == Tool::Place) paintCross(painter);
     if (hasFocus()) {
         painter.setPen(QPen(palette().color(QPalette::Highlight), 2));
         painter.setBrush(Qt::NoBrush);
@@ -171,6 +268,18 @@ void MapView::mousePressEvent(QMouseEvent* event) {
     if (event->button() != Qt::LeftButton) return QWidget::mousePressEvent(event);
     m_pressedAt = event->position();
     m_dragging = false;
+    // Only what is selected already can be dragged: nothing moves by a slip of the hand.
+    const std::optional<MapHit> under = m_tool == Tool::Move ? hit(event->position()) : std::nullopt;
+    if (under && under == m_selected && under->what != MapHit::What::Region)
+        m_grip = m_view.mapFromScreen(event->position());
+}
+
+/// True when the pointer holds the selected thing rather than the map.
+bool MapView::dragSelected(QPointF at) {
+    if (!m_grip) return false;
+    m_movedBy = m_view.mapFromScreen(at) - *m_grip;
+    update();
+    return true;
 }
 
 void MapView::mouseMoveEvent(QMouseEvent* event) {
@@ -178,6 +287,7 @@ void MapView::mouseMoveEvent(QMouseEvent* event) {
         const QPointF delta = event->position() - *m_pressedAt;
         if (!m_dragging && std::hypot(delta.x(), delta.y()) < 4.0) return;
         m_dragging = true;
+        if (dragSelected(event->position())) return;
         m_fitted = false;
         setCursor(Qt::ClosedHandCursor);
         m_pressedAt = event->position();
@@ -193,10 +303,19 @@ void MapView::mouseMoveEvent(QMouseEvent* event) {
 
 void MapView::mouseReleaseEvent(QMouseEvent* event) {
     if (event->button() != Qt::LeftButton || !m_pressedAt) return QWidget::mouseReleaseEvent(event);
-    if (!m_dragging) select(hit(event->position()), false);
+    const bool dragged = m_dragging;
+    const bool moved = dragged && m_grip && m_selected;
     m_pressedAt.reset();
+    m_grip.reset();
     m_dragging = false;
-    unsetCursor();
+    setCursor(m_tool == Tool::Place ? Qt::CrossCursor : Qt::ArrowCursor);
+    update();
+    if (moved)
+        Q_EMIT moveWanted(*m_selected, m_movedBy, false);
+    else if (!dragged && m_tool == Tool::Place)
+        Q_EMIT placeWanted(m_view.mapFromScreen(event->position()));
+    else if (!dragged)
+        select(hit(event->position()), false);
 }
 
 void MapView::mouseDoubleClickEvent(QMouseEvent* event) {
@@ -226,7 +345,23 @@ void MapView::stepLevel(int by) {
     }
 }
 
+/// Alt and an arrow move the selected thing by 10 cm, with Shift by 1 m.
+bool MapView::nudge(const QKeyEvent& event) {
+    if (m_tool != Tool::Move || !m_selected || m_selected->what == MapHit::What::Region) return false;
+    if (!event.modifiers().testFlag(Qt::AltModifier)) return false;
+    const double step = event.modifiers().testFlag(Qt::ShiftModifier) ? 1.0 : 0.1;
+    Point2 by;
+    if (event.key() == Qt::Key_Left) by.x = -step;
+    if (event.key() == Qt::Key_Right) by.x = step;
+    if (event.key() == Qt::Key_Up) by.y = step;
+    if (event.key() == Qt::Key_Down) by.y = -step;
+    if (by == Point2{}) return false;
+    Q_EMIT moveWanted(*m_selected, by, true);
+    return true;
+}
+
 void MapView::keyPressEvent(QKeyEvent* event) {
+    if (nudge(*event)) return;
     const auto pan = [this](double dx, double dy) {
         m_fitted = false;
         setViewTransform(m_view.panned({dx, dy}));
@@ -254,10 +389,19 @@ void MapView::keyPressEvent(QKeyEvent* event) {
     case Qt::Key_PageDown:
         return stepLevel(-1);
     case Qt::Key_Escape:
+        if (m_grip) { // the drag under way is given up
+            m_grip.reset();
+            m_pressedAt.reset();
+            m_dragging = false;
+            return update();
+        }
+        if (m_tool == Tool::Place) return void(Q_EMIT placeGivenUp());
         if (m_selected) return select(std::nullopt, false);
         break;
     case Qt::Key_Return:
     case Qt::Key_Enter:
+        if (m_tool == Tool::Place)
+            return void(Q_EMIT placeWanted(m_view.mapFromScreen(QRectF(rect()).center())));
         if (m_selected) Q_EMIT activated(*m_selected);
         return;
     default:

@@ -52,6 +52,24 @@ QString Words::level(const building::Building& building, double ordinal) {
     return tr("level %1").arg(levelLabel(building, ordinal));
 }
 
+QString Words::about(const building::Region& region) {
+    return tr("%1 (%2)").arg(regionLabel(region), regionKind(region.kind));
+}
+
+QString Words::about(const building::Building& building, const building::Access& access) {
+    const auto side = [&](const RegionId& id) { return id.empty() ? tr("?") : regionName(&building, id); };
+    const QString text =
+        tr("%1 between %2 and %3").arg(accessKind(access.kind), side(access.regionA), side(access.regionB));
+    return access.closed ? tr("%1 (closed)").arg(text) : text;
+}
+
+QString Words::about(const building::Building& building, const building::Landmark& landmark) {
+    const QString name = toQString(landmark.text.empty() ? landmark.id.value : landmark.text);
+    const QString kind = Phrasebook::kindWord(landmark.kind);
+    if (landmark.region.empty()) return tr("%1: %2").arg(kind, name);
+    return tr("%1: %2, in %3").arg(kind, name, regionName(&building, landmark.region));
+}
+
 QString Words::detectionName(const recognition::Detection& detection) {
     if (!detection.text.empty()) return QStringLiteral("“%1”").arg(toQString(detection.text));
     return toQString(detection.templateId.value);

@@ -19,6 +19,10 @@ public:
     static QString accessKind(building::AccessKind kind);
     /// "level 2"
     static QString level(const building::Building& building, double ordinal);
+    /// A feature of the map in a few words: "Room 2.14 (room)", "door between A and B (closed)".
+    static QString about(const building::Region& region);
+    static QString about(const building::Building& building, const building::Access& access);
+    static QString about(const building::Building& building, const building::Landmark& landmark);
     /// What a detection is called: its text, else the trained name, else nothing.
     static QString detectionName(const recognition::Detection& detection);
     static QString utteranceState(UtteranceState state);

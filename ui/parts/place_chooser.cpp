@@ -1,4 +1,4 @@
-#include "ui/live/place_chooser.h"
+#include "ui/parts/place_chooser.h"
 
 #include "ui/convert/convert.h"
 
@@ -120,13 +120,39 @@ bool PlaceChooser::eventFilter(QObject* watched, QEvent* event) {
 }
 
 void PlaceChooser::retranslate() {
-    const bool destination = m_purpose == Purpose::Destination;
-    m_label->setText(destination ? tr("&Go to:") : tr("Start &at:"));
-    m_edit->setAccessibleName(destination ? tr("Destination") : tr("Start"));
-    m_edit->setPlaceholderText(destination ? tr("type a name or room number")
-                                           : tr("not known, Farol looks for it"));
-    m_edit->setToolTip(destination ? tr("Where to go: type part of a name, room number or level, then choose")
-                                   : tr("Where the walk starts, if you know it"));
+    switch (m_purpose) {
+    case Purpose::Destination:
+        m_label->setText(tr("&Go to:"));
+        m_edit->setAccessibleName(tr("Destination"));
+        m_edit->setPlaceholderText(tr("type a name or room number"));
+        m_edit->setToolTip(tr("Where to go: type part of a name, room number or level, then choose"));
+        break;
+    case Purpose::Start:
+        m_label->setText(tr("Start &at:"));
+        m_edit->setAccessibleName(tr("Start"));
+        m_edit->setPlaceholderText(tr("not known, Farol looks for it"));
+        m_edit->setToolTip(tr("Where the walk starts, if you know it"));
+        break;
+    case Purpose::From:
+        m_label->setText(tr("F&rom:"));
+        m_edit->setAccessibleName(tr("From"));
+        m_edit->setPlaceholderText(tr("type a name or room number"));
+        m_edit->setToolTip(
+            tr("Where the route begins: type part of a name, room number or level, then choose"));
+        break;
+    case Purpose::To:
+        m_label->setText(tr("&To:"));
+        m_edit->setAccessibleName(tr("To"));
+        m_edit->setPlaceholderText(tr("type a name or room number"));
+        m_edit->setToolTip(
+            tr("Where the route ends: type part of a name, room number or level, then choose"));
+        break;
+    case Purpose::Side: // the form around it names the side
+        m_label->hide();
+        m_edit->setPlaceholderText(tr("none"));
+        m_edit->setToolTip(tr("Type part of a name, room number or level, then choose"));
+        break;
+    }
 }
 
 void PlaceChooser::changeEvent(QEvent* event) {

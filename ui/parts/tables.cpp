@@ -1,4 +1,4 @@
-#include "ui/live/tables.h"
+#include "ui/parts/tables.h"
 
 #include "ui/convert/kind_style.h"
 #include "ui/map/map_colours.h"

@@ -1,4 +1,4 @@
-#include "ui/live/banner.h"
+#include "ui/parts/banner.h"
 
 #include "ui/convert/glyphs.h"
 #include "ui/convert/kind_style.h"

@@ -17,7 +17,7 @@ class PlaceChooser : public QWidget {
     Q_OBJECT
 
 public:
-    enum class Purpose { Destination, Start };
+    enum class Purpose { Destination, Start, From, To, Side };
 
     PlaceChooser(RegionModel& regions, Purpose purpose, QWidget* parent = nullptr);
 

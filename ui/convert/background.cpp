@@ -1,4 +1,4 @@
-#include "ui/live/material.h"
+#include "ui/convert/background.h"
 
 namespace farol::ui {
 

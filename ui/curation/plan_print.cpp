@@ -1,0 +1,73 @@
+#include "ui/curation/plan_print.h"
+
+#include "ui/convert/convert.h"
+#include "ui/map/map_painter.h"
+#include "ui/models/words.h"
+
+#include <QPainter>
+#include <QPdfWriter>
+#include <QSaveFile>
+
+namespace farol::ui {
+
+namespace {
+
+constexpr int kDotsPerInch = 96; // what the painter's widths in pixels are meant for
+constexpr double kTitleHeight = 34.0;
+
+void paintPage(QPainter& painter, const MapScene& scene, const LevelScene& level, const MapOverlay& overlay,
+               QSizeF page) {
+    const building::Building& building = scene.building();
+    const QString title = toQString(building.data().title);
+    const QString name = Words::level(building, level.ordinal);
+    QFont font = painter.font();
+    font.setPixelSize(18);
+    painter.setFont(font);
+    painter.setPen(Qt::black);
+    painter.drawText(QRectF(0, 0, page.width(), kTitleHeight), Qt::AlignLeft | Qt::AlignVCenter,
+                     title.isEmpty() ? name : QStringLiteral("%1 – %2").arg(title, name));
+    const QSizeF room(page.width(), page.height() - kTitleHeight);
+    MapColours colours = MapColours::of(false);
+    colours.outside = Qt::white;
+    font.setPixelSize(11);
+    const ViewTransform view = ViewTransform::fitted(level.bounds, room, 24.0);
+    const MapPainter map(scene, level.ordinal, view, colours, font, {true, false, true});
+    painter.save();
+    painter.translate(0, kTitleHeight);
+    painter.setClipRect(QRectF(QPointF(), room));
+    map.paintGround(painter);
+    map.paintTint(painter, overlay);
+    map.paintFurnishing(painter);
+    map.paintRoute(painter, overlay);
+    map.paintNames(painter);
+    map.paintMarks(painter, overlay);
+    map.paintScale(painter);
+    painter.restore();
+}
+
+} // namespace
+
+bool printPlan(const std::shared_ptr<const building::Building>& building, const MapOverlay& overlay,
+               const QString& file) {
+    QSaveFile target(file); // the old file stays whole until the new one is
+    if (!target.open(QIODevice::WriteOnly)) return false;
+    const MapScene scene(building);
+    {
+        QPdfWriter writer(&target);
+        writer.setTitle(toQString(building->data().title));
+        writer.setCreator(QStringLiteral("Farol"));
+        writer.setResolution(kDotsPerInch);
+        writer.setPageSize(QPageSize(QPageSize::A3));
+        writer.setPageOrientation(QPageLayout::Landscape);
+        QPainter painter(&writer);
+        bool first = true;
+        for (const LevelScene& level : scene.levels()) {
+            if (!first) writer.newPage();
+            first = false;
+            paintPage(painter, scene, level, overlay, QSizeF(writer.width(), writer.height()));
+        }
+    }
+    return target.commit();
+}
+
+} // namespace farol::ui

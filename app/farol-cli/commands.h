@@ -16,5 +16,6 @@ void addRecogniseCommands(CLI::App& app, int& exitCode); ///< recognise, detect
 void addLocateCommand(CLI::App& app, int& exitCode);     ///< locate
 void addRunCommands(CLI::App& app, int& exitCode);       ///< run, replay
 void addEvaluateCommand(CLI::App& app, int& exitCode);   ///< evaluate
+void addSurveyCommand(CLI::App& app, int& exitCode);     ///< survey
 
 } // namespace farol::cli

@@ -18,6 +18,7 @@ int main(int argc, char** argv) {
     farol::cli::addRecogniseCommands(app, exitCode);
     farol::cli::addLocateCommand(app, exitCode);
     farol::cli::addRunCommands(app, exitCode);
+    farol::cli::addSurveyCommand(app, exitCode);
     farol::cli::addEvaluateCommand(app, exitCode);
     try {
         app.parse(argc, argv);

@@ -9,11 +9,6 @@ namespace farol::localisation {
 
 namespace {
 
-double correlation(const cv::Mat& a, const cv::Mat& b) {
-    double value = cv::compareHist(a, b, cv::HISTCMP_CORREL);
-    return std::isfinite(value) ? std::clamp(value, -1.0, 1.0) : 0.0;
-}
-
 cv::Mat asBgr(const cv::Mat& image) {
     cv::Mat bgr;
     if (image.channels() == 1)
@@ -62,6 +57,14 @@ cv::Mat sceneHistogram(const cv::Mat& image, const SceneOptions& options) {
     return histogram;
 }
 
+double sceneCorrelation(const cv::Mat& a, const cv::Mat& b) {
+    cv::Mat rootA, rootB;
+    cv::sqrt(a, rootA);
+    cv::sqrt(b, rootB);
+    double value = cv::compareHist(rootA, rootB, cv::HISTCMP_CORREL);
+    return std::isfinite(value) ? std::clamp(value, -1.0, 1.0) : 0.0;
+}
+
 SceneContext::SceneContext(SceneOptions options) : m_options(options) {}
 
 int SceneContext::observe(const cv::Mat& image) {
@@ -71,8 +74,8 @@ int SceneContext::observe(const cv::Mat& image) {
         m_scene = 0;
         m_first = histogram;
     } else {
-        m_toPrevious = correlation(histogram, m_previous);
-        m_toFirst = correlation(histogram, m_first);
+        m_toPrevious = sceneCorrelation(histogram, m_previous);
+        m_toFirst = sceneCorrelation(histogram, m_first);
         if (m_toPrevious < m_options.minCorrelationToPrevious ||
             m_toFirst < m_options.minCorrelationToFirst) {
             ++m_scene;

@@ -9,9 +9,9 @@ namespace farol::localisation {
 
 /// Correlations in [-1, 1] of hue-saturation-value histograms. A new scene begins when a frame is less alike
 /// than these to the previous frame, or to the first frame of its scene (a slow pan changes little from frame
-/// to frame).
+/// to frame). Calibrated on pictures a second apart: docs/scene-scores.svg, `farol-cli evaluate scenes`.
 struct SceneOptions {
-    double minCorrelationToPrevious = 0.70;
+    double minCorrelationToPrevious = 0.62;
     double minCorrelationToFirst = 0.45;
     int hueBins = 8, saturationBins = 8, valueBins = 8;
 
@@ -36,5 +36,7 @@ private:
 
 /// The histogram that is compared: CV_32F, one value a bin, summing to 1; of a picture reduced to a quarter.
 cv::Mat sceneHistogram(const cv::Mat& image, const SceneOptions& options);
+/// Of the square roots of the bins: else one large wall would outweigh everything before it.
+double sceneCorrelation(const cv::Mat& a, const cv::Mat& b);
 
 } // namespace farol::localisation

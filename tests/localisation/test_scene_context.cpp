@@ -44,8 +44,10 @@ TEST(SceneContext, ASlowPanEndsTheSceneThoughEachFrameIsLikeTheOneBefore) {
     SceneContext scenes;
     int scene = 0;
     double leastToPrevious = 1.0;
+    cv::Mat walls(240, 1000, CV_8UC3, kCream); // a cream wall, then a blue one
+    cv::rectangle(walls, cv::Rect(400, 0, 600, 240), kBlue, cv::FILLED);
     for (int i = 0; i <= 40; ++i) {
-        scene = scenes.observe(view(kCream, kBlue, 0.02 * i));
+        scene = scenes.observe(walls(cv::Rect(16 * i, 0, 320, 240)));
         leastToPrevious = std::min(leastToPrevious, scenes.correlationToPrevious());
     }
     EXPECT_GT(leastToPrevious, SceneOptions{}.minCorrelationToPrevious);

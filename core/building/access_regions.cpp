@@ -69,6 +69,9 @@ void deriveAccessRegions(BuildingData& data) {
     Plan plan{data.regions, LevelRegions(data.regions)};
     for (Access& access : data.accesses) {
         if ((!access.regionA.empty() && !access.regionB.empty()) || access.line.empty()) continue;
+        // Stairs and lifts that name one side lead to another level from there, and which one is not drawn.
+        bool oneSide = !access.regionA.empty() || !access.regionB.empty();
+        if (access.changesLevel() && oneSide) continue;
         bool isLine = access.line.size() > 1 && access.line.front() != access.line.back();
         auto [first, second] = isLine ? besideLine(plan, access) : aroundPoint(plan, access);
         if (first == second) second = RegionId();

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <span>
 
 namespace farol::building {
 
@@ -23,6 +24,8 @@ constexpr double kSliverWidthM = 0.25, kLeastAreaM2 = 0.1;
 constexpr double kOverlapShare = 0.05, kInsideShare = 0.95;
 /// Overlaps looked at per region on average; a map in which everything overlaps is told soon enough.
 constexpr std::size_t kMostPairsEach = 20;
+/// As near as this a door is drawn on a region.
+constexpr double kOnBorderM = 0.1;
 
 std::string quoted(const std::string& id) {
     return "\"" + id + "\"";
@@ -167,16 +170,83 @@ void checkSize(const Building& building, Findings& findings) {
              {}});
 }
 
+/// The regions on which a door is drawn: one of its ends or its middle lies on their outline or within.
+class DrawnDoors {
+public:
+    explicit DrawnDoors(const Building& building) : m_building(building), m_index(building.regions()) {}
+
+    std::vector<std::size_t> regionsOf(const Access& access) const {
+        std::vector<std::size_t> touched;
+        auto box = boundingBox(access.line);
+        if (!box) return touched;
+        Polyline spots{access.line.front(), access.midpoint(), access.line.back()};
+        for (std::size_t region : m_index.meeting(access.level, grown(*box, kOnBorderM))) {
+            const Polygon& polygon = m_building.regions()[region].polygon;
+            if (polygon.outer.size() < 3) continue;
+            if (std::any_of(spots.begin(), spots.end(),
+                            [&](Point2 spot) { return distanceToPolygon(polygon, spot) <= kOnBorderM; }))
+                touched.push_back(region);
+        }
+        return touched;
+    }
+
+private:
+    const Building& m_building;
+    LevelRegions m_index;
+};
+
+std::string counted(std::size_t count, const std::string& one, const std::string& many) {
+    return std::to_string(count) + " " + (count == 1 ? one : many);
+}
+
 void checkDoors(const Building& building, Findings& findings) {
-    std::vector<std::string> without;
-    for (std::size_t i = 0; i < building.regions().size(); ++i)
-        if (building.neighboursOf(i).empty()) without.push_back(building.regions()[i].id.value);
-    if (!without.empty() && building.regions().size() > 1)
+    DrawnDoors drawn(building);
+    std::vector<std::string> several, without, besides;
+    std::vector<bool> touched(building.regions().size(), false); // by a door that one can pass
+    for (const Access& access : building.accesses()) {
+        bool joins = access.passable() && building.region(access.regionA) != nullptr &&
+                     building.region(access.regionB) != nullptr;
+        if (access.changesLevel() || access.kind == AccessKind::Window) continue;
+        std::vector<std::size_t> regions = drawn.regionsOf(access);
+        for (std::size_t region : regions) touched[region] = touched[region] || joins;
+        if (regions.size() > 2) several.push_back(access.id.value);
+    }
+    for (std::size_t i = 0; i < building.regions().size() && building.regions().size() > 1; ++i)
+        if (building.neighboursOf(i).empty())
+            (touched[i] ? besides : without).push_back(building.regions()[i].id.value);
+    if (!several.empty())
+        findings.push_back(
+            {Severity::Note, "access-touches-two-regions",
+             counted(several.size(), "access is", "accesses are") +
+                 " drawn on more than two regions: see that region_a and region_b are the right ones",
+             "accesses", several});
+    if (!without.empty())
         findings.push_back(
             {Severity::Warning, "region-has-access",
-             (without.size() == 1 ? "1 region has" : std::to_string(without.size()) + " regions have") +
+             counted(without.size(), "region has", "regions have") +
                  " no door or other access that joins another region: nobody can be led there; add it",
              "regions", without});
+    if (!besides.empty())
+        findings.push_back(
+            {Severity::Warning, "region-door-joins-others",
+             counted(besides.size(), "region has", "regions have") +
+                 " a door drawn on the border, but the door joins two others and nothing leads there: "
+                 "correct region_a or region_b, or draw another door",
+             "regions", besides});
+}
+
+void checkEscalators(const Building& building, Findings& findings) {
+    std::vector<std::string> undirected;
+    for (const Access& access : building.accesses())
+        if (access.kind == AccessKind::Escalator && access.oneWay == OneWay::No && !access.closed)
+            undirected.push_back(access.id.value);
+    if (!undirected.empty())
+        findings.push_back(
+            {Severity::Warning, "escalator-direction",
+             (undirected.size() == 1 ? "1 escalator has"
+                                     : std::to_string(undirected.size()) + " escalators have") +
+                 " no direction and count as running both ways: set oneway",
+             "accesses", undirected});
 }
 
 } // namespace
@@ -217,6 +287,7 @@ void checkTables(const Building& building, Findings& findings) {
     checkRefs(building, findings);
     checkShafts(building, findings);
     checkDoors(building, findings);
+    checkEscalators(building, findings);
 }
 
 } // namespace farol::building

@@ -21,7 +21,7 @@ struct LoadedBuilding {
 /// later schema), Corrupt (no regions, coordinates that are not finite, duplicate ids, a layer without its
 /// key field). Features are sorted by id. Empty region_a/region_b of an access are derived from geometry: for
 /// a line, the regions of its level 0.3 m to the left (A) and right (B) of its midpoint; for a point, the two
-/// nearest within 0.3 m.
+/// nearest within 0.3 m; for stairs, lifts and escalators that name one region, none.
 Result<LoadedBuilding> loadBuilding(const std::string& source);
 
 /// Writes all layers in one transaction. An existing GeoPackage keeps its unknown layers (the landmark

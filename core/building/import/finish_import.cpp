@@ -28,6 +28,7 @@ Result<void> mend(RawMap& raw, FindingList& findings) {
     if (auto done = toMetricPlane(raw, findings); !done) return done;
     if (auto done = mendRegions(raw, findings); !done) return done;
     if (!raw.explicitGraph) joinAccesses(raw.data, findings);
+    if (!raw.explicitGraph) joinFarSides(raw, findings);
     if (raw.openBoundaries && !raw.explicitGraph) openSharedBorders(raw.data, findings);
     joinLevels(raw, !raw.explicitGraph, findings);
     placeLandmarks(raw.data, findings);

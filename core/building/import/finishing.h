@@ -5,6 +5,7 @@
 #include "core/building/import/importer.h"
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,7 +34,15 @@ Result<void> mendTables(BuildingData& data, FindingList& findings);
 Result<void> mendRegions(RawMap& raw, FindingList& findings);
 /// Doors, openings and windows get the two regions they lie between.
 void joinAccesses(BuildingData& data, FindingList& findings);
-/// Openings where regions share a border without a wall or an access between them.
+/// Stairs, lifts and escalators of which one side is missing get the region on the other level: by the level
+/// that the source names, by the same shaft or the same kind above, never one of their own level.
+void joinFarSides(RawMap& raw, FindingList& findings);
+/// "up", "subir", "descending", ...: true for upwards.
+std::optional<bool> climbDirection(const std::string& word);
+/// A stairwell, lift or escalator, by its kind or by what the source calls it.
+std::optional<AccessKind> shaftKind(const Region& region);
+/// Openings where regions share a border, or one reaches into the other, without a wall or an access between
+/// them.
 void openSharedBorders(BuildingData& data, FindingList& findings);
 /// Accesses along stairs, lifts and escalators: the source's own links, and, where `byOverlap`, what lies
 /// above another.

@@ -73,6 +73,13 @@ struct RawMap {
         std::optional<int> steps;
     };
     std::vector<VerticalLink> verticalLinks;
+    /// What a source says of an access that leads to another level beside the regions it names.
+    struct LevelChange {
+        AccessId access;
+        std::optional<double> toLevel;
+        std::optional<bool> up; ///< one way, upwards or downwards
+    };
+    std::vector<LevelChange> levelChanges;
     /// Formats with an explicit graph (IndoorGML, HULOP): accesses already name both regions; do not derive
     /// others.
     bool explicitGraph = false;
@@ -102,8 +109,8 @@ struct ImportedBuilding {
     std::shared_ptr<const Building> building;
     MapFormat format = MapFormat::GeoJson;
     std::vector<Finding> findings; ///< of the source, of the mending, and of checkBuilding() at the end
-    /// The source, when it is a building file already: taken as it stands, and to be saved with what else is in
-    /// it (see saveBuilding).
+    /// The source, when it is a building file already: taken as it stands, and to be saved with what else is
+    /// in it (see saveBuilding).
     std::string origin{};
 };
 
@@ -112,8 +119,8 @@ struct ImportedBuilding {
 /// is told.
 Result<ImportedBuilding> finishImport(RawMap raw, MapFormat format);
 
-/// listSource, the importer that recognises it best, read, finish. A building file is read as it stands unless
-/// that fails (degrees, say) or the options ask for more.
+/// listSource, the importer that recognises it best, read, finish. A building file is read as it stands
+/// unless that fails (degrees, say) or the options ask for more.
 Result<ImportedBuilding> importBuilding(const std::string& source, const ImportOptions& options = {});
 
 } // namespace farol::building

@@ -2,6 +2,7 @@
 
 #include "core/base/ogr.h"
 #include "core/base/text.h"
+#include "core/building/import/height_levels.h"
 #include "core/building/import/level_parser.h"
 #include "core/building/import/tagged_feature.h"
 
@@ -17,7 +18,6 @@ namespace farol::building {
 namespace {
 
 constexpr std::size_t kMaxCells = 50000;
-constexpr double kStoreyGapM = 1.5;
 
 std::string withoutReverse(std::string reference) {
     reference.erase(0, reference.find('#') == std::string::npos ? 0 : reference.find('#') + 1);
@@ -314,43 +314,27 @@ bool IndoorGmlBuilder::setLevelsByStorey() {
     return true;
 }
 
-/// Floors less than 1.5 m apart are one level. The one nearest to height 0 is the ground, or the lowest when
-/// all lie higher than a storey, as heights above the sea do.
 void IndoorGmlBuilder::setLevelsByHeight() {
     std::vector<double> heights;
     for (const Cell& cell : m_cells)
         if (cell.z) heights.push_back(*cell.z);
-    std::sort(heights.begin(), heights.end());
-    std::vector<double> floors; // the lowest height of each level
-    double before = 0.0;
-    for (double height : heights) {
-        if (floors.empty() || height - before > kStoreyGapM) floors.push_back(height);
-        before = height;
-    }
-    if (floors.empty()) {
+    HeightLevels levels(std::move(heights));
+    if (levels.empty()) {
         m_map.data.levels.push_back(Level());
         if (m_cells.size() > 1)
             note(Severity::Warning, "indoorgml-level",
                  "nothing tells the levels: all is taken as level 0; name the field with --level-from", "");
         return;
     }
-    std::size_t ground = 0;
-    for (std::size_t i = 1; i < floors.size(); ++i)
-        if (std::abs(floors[i]) < std::abs(floors[ground])) ground = i;
-    auto ordinalOf = [&](double height) {
-        std::size_t i = 0;
-        while (i + 1 < floors.size() && height >= floors[i + 1]) ++i;
-        return static_cast<double>(i) - static_cast<double>(ground);
-    };
-    for (std::size_t i = 0; i < floors.size(); ++i) {
+    for (std::size_t i = 0; i < levels.floors().size(); ++i) {
         Level level;
-        level.ordinal = static_cast<double>(i) - static_cast<double>(ground);
-        level.elevationM = floors[i];
+        level.ordinal = levels.ordinalAt(i);
+        level.elevationM = levels.floors()[i];
         m_map.data.levels.push_back(std::move(level));
     }
-    for (Cell& cell : m_cells) cell.region.level = ordinalOf(cell.z.value_or(floors[ground]));
+    for (Cell& cell : m_cells) cell.region.level = levels.ordinalOf(cell.z.value_or(levels.ground()));
     note(Severity::Note, "indoorgml-level-by-height", "levels were counted from the heights of the floors",
-         formatNumber(floors.front()));
+         formatNumber(levels.floors().front()));
 }
 
 void IndoorGmlBuilder::addRegions() {

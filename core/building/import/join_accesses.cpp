@@ -61,21 +61,31 @@ public:
     void run() {
         for (Access& access : m_data.accesses) {
             if (access.line.empty() || (!access.regionA.empty() && !access.regionB.empty())) continue;
+            // The other side lies on another level: joinFarSides.
+            if (access.changesLevel() && !(access.regionA.empty() && access.regionB.empty())) continue;
             if (access.regionA.empty() && access.regionB.empty()) tellOddOnes(access);
             std::optional<Joined> joined;
             for (double reach : kReachesM) {
                 joined = isLine(access.line) ? besideLine(access, reach) : aroundPoint(access, reach);
                 if (joined) break;
             }
+            if (joined && access.changesLevel() && !staysOnLevel(access, *joined)) continue;
             if (joined)
                 fill(access, *joined);
-            else
+            else if (!access.changesLevel())
                 tellUnjoined(access);
         }
     }
 
 private:
     const RegionId& idOf(std::size_t region) const { return m_data.regions[region].id; }
+
+    /// Stairs and lifts between two regions of one level are the way into the stairwell or car, or a few
+    /// steps.
+    bool staysOnLevel(const Access& access, const Joined& joined) const {
+        if (shaftKind(m_data.regions[joined.left]) || shaftKind(m_data.regions[joined.right])) return true;
+        return access.kind == AccessKind::Stairs && access.shaft.empty();
+    }
 
     /// Before anything is mended: how many regions does the access lie on as it is drawn?
     void tellOddOnes(const Access& access) {
@@ -90,11 +100,9 @@ private:
                     ? 1U
                     : 0U;
         }
-        if (touched == 2) return;
+        if (touched >= 2) return; // more than two: told by the checks
         m_findings.add(Severity::Note, "access-touches-two-regions",
-                       touched < 2 ? "accesses are drawn on fewer than two regions"
-                                   : "accesses are drawn on more than two regions",
-                       "accesses", access.id.value);
+                       "accesses are drawn on fewer than two regions", "accesses", access.id.value);
     }
 
     bool allowed(const Access& access, std::size_t region) const {

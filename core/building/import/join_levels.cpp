@@ -19,6 +19,7 @@ namespace {
 constexpr double kLeastOverlap = 0.5; ///< of the smaller of two regions above each other
 
 bool isEscalator(const Region& region) {
+    if (region.kindText == "moving_walkway") return false; // it stays on its level
     for (const char* key : {"category", "conveying", "highway"}) {
         auto found = region.extra.find(key);
         const auto* text = found == region.extra.end() ? nullptr : std::get_if<std::string>(&found->second);
@@ -29,10 +30,14 @@ bool isEscalator(const Region& region) {
     return region.kindText == "escalator";
 }
 
-std::optional<AccessKind> shaftKind(const Region& region) {
-    if (region.kind == RegionKind::Elevator) return AccessKind::Elevator;
-    if (isEscalator(region)) return AccessKind::Escalator;
-    if (region.kind == RegionKind::Stairwell) return AccessKind::Stairs;
+/// The way an escalator drawn as an area runs, where an attribute tells.
+std::optional<bool> directionOf(const Region& region) {
+    for (const auto& [key, value] : region.extra) {
+        const auto* text = std::get_if<std::string>(&value);
+        bool told = key == "direction" || key == "oneway" || key == "conveying" || key == "sentido";
+        if (text == nullptr || !told) continue;
+        if (auto up = climbDirection(*text)) return up;
+    }
     return std::nullopt;
 }
 
@@ -76,10 +81,21 @@ private:
         for (const Access& access : m_raw.data.accesses) {
             auto a = m_position.find(access.regionA.value), b = m_position.find(access.regionB.value);
             if (a == m_position.end() || b == m_position.end() || !access.changesLevel()) continue;
-            m_joined.insert({std::min(a->second, b->second), std::max(a->second, b->second)});
+            // A few steps, or the way into a stairwell, lead to no other level.
+            if (m_raw.data.regions[a->second].level == m_raw.data.regions[b->second].level) continue;
+            (void)isNew(a->second, b->second, access.oneWay);
             m_climbing.insert(a->second);
             m_climbing.insert(b->second);
         }
+    }
+
+    /// Two escalators side by side join the same regions, one upwards and one downwards.
+    bool isNew(std::size_t from, std::size_t to, OneWay way) {
+        if (way == OneWay::BToA) std::swap(from, to);
+        bool both = way == OneWay::No;
+        bool forth = m_joined.insert({from, to}).second;
+        bool back = both && m_joined.insert({to, from}).second;
+        return forth || back;
     }
 
     void addLink(const RawMap::VerticalLink& link) {
@@ -94,7 +110,7 @@ private:
     }
 
     void join(std::size_t from, std::size_t to, const RawMap::VerticalLink& link) {
-        if (from == to || !m_joined.insert({std::min(from, to), std::max(from, to)}).second) return;
+        if (from == to || !isNew(from, to, link.oneWay)) return;
         const Region &low = m_raw.data.regions[from], &high = m_raw.data.regions[to];
         Access access;
         access.kind = link.kind;
@@ -152,16 +168,14 @@ private:
         if (!best) return false;
         RawMap::VerticalLink link;
         link.kind = kind;
+        for (std::size_t each : {low, *best})
+            if (auto up = directionOf(m_raw.data.regions[each]); up && kind == AccessKind::Escalator)
+                link.oneWay = *up ? OneWay::AToB : OneWay::BToA;
         join(low, *best, link);
         m_findings.add(Severity::Note, "level-link-overlap",
                        "stairs, lifts or escalators were joined with the ones above them, because their "
                        "outlines overlap",
                        "accesses", m_raw.data.accesses.back().id.value);
-        if (kind == AccessKind::Escalator)
-            m_findings.add(
-                Severity::Warning, "escalator-direction",
-                "escalators have no direction in the source and are taken to run both ways: set oneway",
-                "accesses", m_raw.data.accesses.back().id.value);
         return true;
     }
 
@@ -183,7 +197,7 @@ private:
     LevelRegions m_index;
     std::unordered_map<std::string, std::size_t> m_position;
     std::unordered_set<std::string> m_accessIds;
-    std::set<std::pair<std::size_t, std::size_t>> m_joined;
+    std::set<std::pair<std::size_t, std::size_t>> m_joined; ///< that one can get from the first to the second
     std::set<std::size_t> m_climbing;
     std::vector<std::size_t> m_parent;
     std::vector<std::pair<std::size_t, std::size_t>> m_added; ///< access and its lower region
@@ -212,6 +226,13 @@ const char* kindWord(RegionKind kind) {
 }
 
 } // namespace
+
+std::optional<AccessKind> shaftKind(const Region& region) {
+    if (region.kind == RegionKind::Elevator) return AccessKind::Elevator;
+    if (isEscalator(region)) return AccessKind::Escalator;
+    if (region.kind == RegionKind::Stairwell) return AccessKind::Stairs;
+    return std::nullopt;
+}
 
 void joinLevels(RawMap& raw, bool byOverlap, FindingList& findings) {
     LevelJoiner(raw, findings).run(byOverlap);

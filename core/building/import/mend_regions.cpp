@@ -17,9 +17,16 @@ namespace {
 constexpr std::size_t kMostCorners = 200000;
 constexpr double kSameCornerM = 1e-6, kLeastPartM2 = 0.01;
 
+/// No building lies further from the origin of a metric CRS, and no building file may say so.
+constexpr double kFurthestM = 1e8;
+
+bool isPlace(Point2 p) {
+    return isFinite(p) && std::abs(p.x) <= kFurthestM && std::abs(p.y) <= kFurthestM;
+}
+
 /// Without repeats and without what is no number; true when something of the latter kind went.
 bool clean(std::vector<Point2>& points, bool ring) {
-    auto bad = std::remove_if(points.begin(), points.end(), [](Point2 p) { return !isFinite(p); });
+    auto bad = std::remove_if(points.begin(), points.end(), [](Point2 p) { return !isPlace(p); });
     bool cleaned = bad != points.end();
     points.erase(bad, points.end());
     auto same = [](Point2 a, Point2 b) { return distance(a, b) < kSameCornerM; };
@@ -184,7 +191,7 @@ private:
 
     void mendLandmarks() {
         std::erase_if(m_raw.data.landmarks, [&](const Landmark& landmark) {
-            if (isFinite(landmark.position)) return false;
+            if (isPlace(landmark.position)) return false;
             m_findings.add(Severity::Warning, "coordinates-finite",
                            "landmarks have no place on the map and were left out", "landmarks",
                            landmark.id.value);

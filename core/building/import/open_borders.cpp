@@ -13,6 +13,7 @@ namespace farol::building {
 namespace {
 
 constexpr double kSameBorderM = 0.1, kNarrowestM = 0.6, kParallelSine = 0.05;
+constexpr std::size_t kMostOpeningsInside = 4;
 
 struct Stretch {
     double from = 0.0, to = 0.0;
@@ -86,9 +87,7 @@ public:
     void run() {
         for (std::size_t a = 0; a < m_data.regions.size(); ++a) {
             std::vector<Segment> edges = edgesOf(m_data.regions[a].polygon);
-            std::vector<Box2> boxes;
-            for (const Segment& edge : edges) boxes.push_back(grown(boxOf(edge), kSameBorderM));
-            BoxIndex edgeIndex(boxes);
+            BoxIndex edgeIndex = indexOf(edges);
             Box2 box = *boundingBox(m_data.regions[a].polygon.outer);
             for (std::size_t b : m_index.meeting(m_data.regions[a].level, grown(box, kSameBorderM)))
                 if (b > a) open(a, b, edges, edgeIndex);
@@ -104,7 +103,8 @@ private:
         const Region &one = m_data.regions[a], &other = m_data.regions[b];
         if (m_joined.count(pairOf(one.id.value, other.id.value)) != 0) return;
         std::size_t number = 0;
-        for (const Segment& border : edgesOf(other.polygon)) {
+        std::vector<Segment> borders = edgesOf(other.polygon);
+        for (const Segment& border : borders) {
             double size = distance(border.a, border.b);
             if (size < kNarrowestM) continue;
             for (std::size_t at : edgeIndex.meeting(boxOf(border))) {
@@ -115,10 +115,74 @@ private:
                         addOpening(one, other, border, stretch, ++number);
             }
         }
+        if (number == 0 && isOpen(one) && isOpen(other)) {
+            bool met = false; // a border that is all wall is none to be opened from the other side
+            number = openInside(one, other, borders, edges, edgeIndex, met);
+            if (!met) number = openInside(other, one, edges, borders, indexOf(borders), met);
+        }
         if (number > 0)
             m_findings.add(Severity::Note, "border-open",
                            "openings were added where regions meet without a wall between them", "regions",
                            one.id.value + " - " + other.id.value);
+    }
+
+    static BoxIndex indexOf(const std::vector<Segment>& edges) {
+        std::vector<Box2> boxes;
+        for (const Segment& edge : edges) boxes.push_back(grown(boxOf(edge), kSameBorderM));
+        return BoxIndex(boxes);
+    }
+
+    /// Nobody steps onto stairs, into a lift or onto a moving walkway from the side.
+    static bool isOpen(const Region& region) {
+        return !shaftKind(region) && region.kindText != "moving_walkway";
+    }
+
+    /// Areas that reach into one another: one steps from the one into the other where its border lies inside.
+    std::size_t openInside(const Region& one, const Region& other, const std::vector<Segment>& borders,
+                           const std::vector<Segment>& edges, const BoxIndex& edgeIndex, bool& met) {
+        std::vector<std::pair<double, std::pair<Segment, Stretch>>> found;
+        for (const Segment& border : borders) {
+            double size = distance(border.a, border.b);
+            if (size < kNarrowestM) continue;
+            for (Stretch inside : insideOf(one.polygon, border, edges, edgeIndex)) {
+                met = true;
+                for (Stretch stretch : unwalled(one.level, border, inside))
+                    if (stretch.to - stretch.from >= kNarrowestM)
+                        found.push_back({stretch.to - stretch.from, {border, stretch}});
+            }
+        }
+        std::stable_sort(found.begin(), found.end(),
+                         [](const auto& a, const auto& b) { return a.first > b.first; });
+        if (found.size() > kMostOpeningsInside) found.resize(kMostOpeningsInside);
+        std::size_t number = 0;
+        for (const auto& [width, place] : found) addOpening(one, other, place.first, place.second, ++number);
+        return number;
+    }
+
+    /// The stretches of the segment that lie within the polygon and not along its border.
+    static std::vector<Stretch> insideOf(const Polygon& polygon, const Segment& segment,
+                                         const std::vector<Segment>& edges, const BoxIndex& edgeIndex) {
+        double size = distance(segment.a, segment.b);
+        Point2 along = (segment.b - segment.a) * (1.0 / size);
+        std::vector<double> cuts{0.0, size};
+        std::vector<std::size_t> near = edgeIndex.meeting(boxOf(segment));
+        for (std::size_t at : near) {
+            double slope = cross(along, edges[at].b - edges[at].a);
+            if (slope == 0.0) continue;
+            double where = cross(edges[at].a - segment.a, edges[at].b - edges[at].a) / slope;
+            if (where > 0.0 && where < size) cuts.push_back(where);
+        }
+        std::sort(cuts.begin(), cuts.end());
+        std::vector<Stretch> inside;
+        for (std::size_t i = 1; i < cuts.size(); ++i) {
+            if (cuts[i] - cuts[i - 1] < kNarrowestM) continue;
+            Point2 middle = segment.a + along * ((cuts[i] + cuts[i - 1]) / 2);
+            bool onBorder = std::any_of(near.begin(), near.end(), [&](std::size_t at) {
+                return distanceToSegment(middle, edges[at].a, edges[at].b) <= kSameBorderM;
+            });
+            if (!onBorder && contains(polygon, middle)) inside.push_back({cuts[i - 1], cuts[i]});
+        }
+        return inside;
     }
 
     std::vector<Stretch> unwalled(double level, const Segment& border, Stretch shared) const {

@@ -70,6 +70,7 @@ Result<RawMap> OsmBuilder::build() {
     if (m_tooMuch) return tooMuch();
     joinLonelyLifts();
     addSteps();
+    addWalkways();
     if (m_tooMuch) return tooMuch();
     addWalls();
     addLandmarks();
@@ -211,7 +212,8 @@ void OsmBuilder::collectWalkLines() {
     for (const TaggedFeature& feature : m_features) {
         bool oneLevelSteps = isOsmSteps(feature) && levelsOf(feature).size() == 1;
         auto role = oneLevelSteps ? RegionRole{RegionKind::Stairwell, "", false} : osmWalkRole(feature);
-        if (!role || (!feature.polygons.empty() && osmRegionRole(feature))) continue;
+        if (!role || (!feature.polygons.empty() && osmRegionRole(feature)) || isOsmMovingWalkway(feature))
+            continue;
         std::vector<Polyline> lines = feature.lines;
         for (const Polygon& ring : feature.polygons) {
             lines.push_back(ring.outer);

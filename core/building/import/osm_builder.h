@@ -69,6 +69,11 @@ private:
                    std::pair<std::optional<std::size_t>, std::optional<std::size_t>> ends, bool rises);
     std::optional<std::size_t> addStairsHalf(const TaggedFeature& feature, const Polyline& half, double level,
                                              double width, std::optional<std::size_t> end);
+    std::optional<std::size_t> addStrip(const TaggedFeature& feature, const Polyline& line, double level,
+                                        double width, RegionKind kind);
+    void addStripEnd(std::size_t strip, const Polyline& outwards, double width, std::size_t end, OneWay way);
+    void addWalkways();
+    void addWalkway(const TaggedFeature& feature, const Polyline& line, double level);
     void joinLonelyLifts();
 
     std::optional<std::size_t> regionAt(Point2 metres, double level, double reach,
@@ -91,7 +96,7 @@ private:
     std::vector<WalkLine> m_walks;
     std::map<std::string, Finding> m_notes;
     std::set<std::string> m_stairIds;
-    std::map<double, int> m_escalators;
+    std::map<double, int> m_escalators, m_walkways;
     std::size_t m_stairsFrom = static_cast<std::size_t>(-1); ///< regions from here on are halves of steps
     std::size_t m_meetings = 0;
     bool m_tooMuch = false;

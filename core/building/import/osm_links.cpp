@@ -264,8 +264,8 @@ void OsmBuilder::addStairs(const TaggedFeature& feature, const Polyline& climb,
     access.regionA = m_map.data.regions[*foot].id;
     access.regionB = m_map.data.regions[*head].id;
     // The way's own direction is told; ours is upwards.
-    if (feature.is("conveying", "forward")) access.oneWay = rises ? OneWay::AToB : OneWay::BToA;
-    if (feature.is("conveying", "backward")) access.oneWay = rises ? OneWay::BToA : OneWay::AToB;
+    if (OneWay way = osmConveying(feature); way != OneWay::No)
+        access.oneWay = (way == OneWay::AToB) == rises ? OneWay::AToB : OneWay::BToA;
     access.widthM = plainNumber(feature.tag("width"));
     if (auto steps = plainNumber(feature.tag("step_count")); steps && *steps > 0 && *steps < 10000)
         access.steps = static_cast<int>(*steps);
@@ -276,12 +276,24 @@ void OsmBuilder::addStairs(const TaggedFeature& feature, const Polyline& climb,
     m_map.data.accesses.push_back(std::move(access));
 }
 
-/// One half, from its outer end, with the opening to the region there, and its sides as walls.
+/// One half, from its outer end, with the opening to the region there.
 std::optional<std::size_t> OsmBuilder::addStairsHalf(const TaggedFeature& feature, const Polyline& half,
                                                      double level, double width,
                                                      std::optional<std::size_t> end) {
+    auto strip = addStrip(feature, half, level, width, RegionKind::Stairwell);
+    if (!strip) return strip;
+    Region& region = m_map.data.regions[*strip];
+    if (region.name.empty() && feature.has("conveying") && !feature.is("conveying", "no"))
+        region.name = "Escalator " + std::to_string(++m_escalators[level]);
+    if (end) addStripEnd(*strip, {half.rbegin(), half.rend()}, width, *end, OneWay::No);
+    return strip;
+}
+
+/// A region along a line, with walls along its sides.
+std::optional<std::size_t> OsmBuilder::addStrip(const TaggedFeature& feature, const Polyline& line,
+                                                double level, double width, RegionKind kind) {
     std::vector<Polygon> strips;
-    appendStrip(half, width / 2, strips);
+    appendStrip(line, width / 2, strips);
     auto shape = joinedStrips(strips);
     if (!shape) return std::nullopt;
     Region region;
@@ -290,35 +302,78 @@ std::optional<std::size_t> OsmBuilder::addStairsHalf(const TaggedFeature& featur
     for (int number = 2; !m_stairIds.insert(region.id.value).second; ++number)
         region.id = RegionId(id + "#" + std::to_string(number));
     region.level = level;
-    region.kind = RegionKind::Stairwell;
+    region.kind = kind;
     region.name = nameOf(feature, m_language);
-    if (region.name.empty() && feature.has("conveying") && !feature.is("conveying", "no"))
-        region.name = "Escalator " + std::to_string(++m_escalators[level]);
     region.ref = feature.tag("ref");
     region.restricted = isOsmRestricted(feature);
     region.polygon = std::move(*shape);
     region.extra = attributesOf(feature.tags);
-    Point2 along = unitVector(half[1] - half[0]);
+    Point2 along = unitVector(line[1] - line[0]);
     Point2 side = Point2{-along.y, along.x} * (width / 2);
     for (Point2 edge : {side, side * -1.0}) {
-        Polyline wall = half;
+        Polyline wall = line;
         for (Point2& point : wall) point = point + edge;
         m_map.data.walls.push_back({level, std::move(wall), {}});
     }
-    RegionId own = region.id;
-    std::size_t index = addRegion(std::move(region), false);
-    if (!end) return index;
+    return addRegion(std::move(region), false);
+}
+
+/// The opening between a strip and what lies at the end of the line `outwards`. `way`: from there into the
+/// strip.
+void OsmBuilder::addStripEnd(std::size_t strip, const Polyline& outwards, double width, std::size_t end,
+                             OneWay way) {
+    const Region& region = m_map.data.regions[strip];
     Access access;
-    access.id = AccessId(accessId(own.value + "/end"));
+    access.id = AccessId(accessId(region.id.value + "/end"));
     access.kind = AccessKind::Opening;
-    access.level = level;
-    access.regionA = m_map.data.regions[*end].id;
-    access.regionB = own;
-    access.line = {half.front() - side, half.front() + side};
+    access.level = region.level;
+    access.regionA = m_map.data.regions[end].id;
+    access.regionB = region.id;
+    access.oneWay = way;
+    Point2 along = unitVector(outwards.back() - outwards[outwards.size() - 2]);
+    Point2 side = Point2{-along.y, along.x} * (width / 2);
+    access.line = {outwards.back() + side, outwards.back() - side};
     for (const RegionId& each : {access.regionA, access.regionB})
         m_accessesOf[each].push_back(m_map.data.accesses.size());
     m_map.data.accesses.push_back(std::move(access));
-    return index;
+}
+
+/// Moving walkways: a region of its own each, entered at one end and left at the other, the way it runs.
+void OsmBuilder::addWalkways() {
+    for (const TaggedFeature& feature : m_features) {
+        if (!isOsmMovingWalkway(feature) || !feature.polygons.empty()) continue;
+        for (Polyline line : feature.lines) {
+            for (Point2& point : line) point = m_plane.toMetres(point);
+            for (double level : levelsOrGround(feature))
+                if (m_map.data.accesses.size() < kMaxAccesses && !m_tooMuch) addWalkway(feature, line, level);
+        }
+    }
+}
+
+void OsmBuilder::addWalkway(const TaggedFeature& feature, const Polyline& line, double level) {
+    double width = std::clamp(plainNumber(feature.tag("width")).value_or(kStairsWidthM), 0.6, 10.0);
+    auto strip = length(line) > 0.0 ? addStrip(feature, line, level, width, RegionKind::Other) : std::nullopt;
+    if (!strip) {
+        note(Severity::Warning, "osm-steps-short", "steps left out: their line has no length", feature.id);
+        return;
+    }
+    Region& region = m_map.data.regions[*strip];
+    region.kindText = "moving_walkway";
+    if (region.name.empty()) region.name = "Moving walkway " + std::to_string(++m_walkways[level]);
+    OneWay way = osmConveying(feature);
+    if (way == OneWay::No && !feature.is("conveying", "reversible"))
+        note(Severity::Warning, "osm-walkway-direction",
+             "nothing tells which way the walkway runs; it is taken to run both ways: set conveying to "
+             "forward "
+             "or backward",
+             feature.id);
+    OneWay against = way == OneWay::No ? OneWay::No : way == OneWay::AToB ? OneWay::BToA : OneWay::AToB;
+    auto first = regionAt(line.front(), level, kReachM), last = regionAt(line.back(), level, kReachM);
+    if (first) addStripEnd(*strip, {line.rbegin(), line.rend()}, width, *first, way);
+    if (last) addStripEnd(*strip, line, width, *last, against);
+    if (!first || !last)
+        note(Severity::Warning, "osm-walkway-end",
+             "no region lies at an end of the walkway: draw the area or way it leads to", feature.id);
 }
 
 /// A lift that stands in an area and has no drawn door is still entered from there; on which side is not

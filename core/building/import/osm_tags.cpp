@@ -61,9 +61,19 @@ std::optional<RegionRole> osmWalkRole(const TaggedFeature& feature) {
     bool corridor = feature.is("highway", "corridor") || feature.is("indoor", "corridor");
     bool walked = isOne(feature, "highway", {"footway", "pedestrian", "path"});
     if (!corridor && !(walked && inside)) return std::nullopt;
-    if (feature.has("conveying") && !feature.is("conveying", "no"))
-        return RegionRole{RegionKind::Other, "moving_walkway", false};
     return RegionRole{RegionKind::Corridor, "", false};
+}
+
+bool isOsmMovingWalkway(const TaggedFeature& feature) {
+    return osmWalkRole(feature) && feature.has("conveying") && !feature.is("conveying", "no");
+}
+
+OneWay osmConveying(const TaggedFeature& feature) {
+    bool moving = feature.has("conveying") && !feature.is("conveying", "no");
+    if (feature.is("conveying", "forward") || (moving && isOne(feature, "oneway", {"yes", "1"})))
+        return OneWay::AToB;
+    if (feature.is("conveying", "backward") || (moving && feature.is("oneway", "-1"))) return OneWay::BToA;
+    return OneWay::No;
 }
 
 bool isOsmSteps(const TaggedFeature& feature) {

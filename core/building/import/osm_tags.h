@@ -20,6 +20,10 @@ std::optional<RegionRole> osmRegionRole(const TaggedFeature& feature);
 std::optional<RegionRole> osmWalkRole(const TaggedFeature& feature);
 /// A flight of steps or an escalator drawn as a line.
 bool isOsmSteps(const TaggedFeature& feature);
+/// A way that carries one along its level.
+bool isOsmMovingWalkway(const TaggedFeature& feature);
+/// The direction in which stairs or a way move: AToB along the way's own direction.
+OneWay osmConveying(const TaggedFeature& feature);
 bool isOsmLift(const TaggedFeature& feature);
 bool isOsmDoor(const TaggedFeature& feature);
 bool isOsmEmergencyDoor(const TaggedFeature& feature);

@@ -2,6 +2,7 @@
 
 #include "core/base/ogr.h"
 #include "core/base/text.h"
+#include "core/building/import/height_levels.h"
 
 #include <gdal_priv.h>
 #include <ogrsf_frmts.h>
@@ -62,6 +63,14 @@ std::string wktOf(const OGRSpatialReference& reference) {
     if (reference.exportToWkt(&text, options) == OGRERR_NONE && text != nullptr) wkt = text;
     CPLFree(text);
     return wkt;
+}
+
+/// The lowest height of a shape, when it has heights.
+std::optional<double> heightOf(const OGRGeometry* geometry) {
+    if (geometry == nullptr || geometry->Is3D() == FALSE || geometry->IsEmpty() != FALSE) return std::nullopt;
+    OGREnvelope3D box;
+    geometry->getEnvelope(&box);
+    return std::isfinite(box.MinZ) ? std::optional(box.MinZ) : std::nullopt;
 }
 
 bool namesReference(const OGRSpatialReference* reference) {
@@ -218,17 +227,58 @@ double TableReader::levelOf(Row row, const Layer& layer) {
     const std::string& from = m_options.levelFrom;
     if (from == "filename") {
         level = layer.level;
+    } else if (from == "z") {
+        // by height alone
     } else if (!from.empty()) {
         level = m_words.level(textOf(row, row.GetFieldIndex(from.c_str())));
     } else {
         level = number(row, "level");
         if (!level) level = layer.level;
     }
+    m_height.reset();
     if (level) return *level;
+    m_height = heightOf(row.GetGeometryRef());
+    if (m_height) return 0.0; // until all heights are known
     m_findings.add(Severity::Note, "level-assumed",
                    "layers tell no level; the ground floor is assumed (--level-from, or a profile)",
                    layer.name, layer.context);
     return 0.0;
+}
+
+void TableReader::rememberHeight(std::map<std::size_t, double>& heights, std::size_t at) const {
+    if (m_height) heights.emplace(at, *m_height);
+}
+
+/// Where no column and no name tells the level, the floors are told apart by the heights of the shapes.
+Result<void> TableReader::levelsFromHeights() {
+    std::vector<double> heights;
+    for (const auto* each : {&m_heights.regions, &m_heights.accesses})
+        for (const auto& [at, height] : *each) heights.push_back(height);
+    HeightLevels levels(std::move(heights));
+    if (levels.empty() && m_options.levelFrom == "z")
+        return Error{ErrorCode::InvalidArgument,
+                     "the shapes have no heights (z) that levels could be taken from; name a column instead",
+                     ""};
+    if (levels.empty()) return {};
+    auto apply = [&](auto& items, const std::map<std::size_t, double>& known) {
+        for (const auto& [at, height] : known) items[at].level = levels.ordinalOf(height);
+    };
+    apply(m_map.data.regions, m_heights.regions);
+    apply(m_map.data.accesses, m_heights.accesses);
+    apply(m_map.data.landmarks, m_heights.landmarks);
+    apply(m_map.data.walls, m_heights.walls);
+    for (std::size_t i = 0; i < levels.floors().size(); ++i) {
+        Level level;
+        level.ordinal = levels.ordinalAt(i);
+        level.elevationM = levels.floors()[i];
+        level.ref = formatNumber(level.ordinal);
+        m_map.data.levels.push_back(std::move(level));
+    }
+    m_findings.add(
+        Severity::Note, "level-by-height",
+        "levels were counted from the heights of the shapes, the one nearest to 0 as the ground floor",
+        "levels", formatNumber(levels.ground()));
+    return {};
 }
 
 Attributes TableReader::attributes(Row row) const {
@@ -361,13 +411,33 @@ void TableReader::addRegions(Row row, const Layer& layer, const TableKind& kind,
     for (std::size_t part = 0; part < shapes.polygons.size(); ++part) {
         region.id = RegionId(partId(id, part));
         region.polygon = std::move(shapes.polygons[part]);
+        rememberHeight(m_heights.regions, m_map.data.regions.size());
         m_map.data.regions.push_back(region);
     }
+}
+
+/// In the direction from A to B or against it, by many words; up or down for what climbs.
+void TableReader::readDirection(Row row, Access& access, RawMap::LevelChange& change) {
+    static const std::set<std::string> forth{"a_to_b", "forward", "1", "yes", "true", "sim", "ft"};
+    static const std::set<std::string> back{"b_to_a", "backward", "-1", "reverse", "tf"};
+    static const std::set<std::string> both{"",     "0",     "no",         "nao",       "false",
+                                            "both", "ambos", "undirected", "reversible"};
+    std::string way = lowerCase(text(row, "oneway"));
+    change.toLevel = number(row, "level_to");
+    change.up = climbDirection(way);
+    access.oneWay = forth.count(way) != 0 ? OneWay::AToB : back.count(way) != 0 ? OneWay::BToA : OneWay::No;
+    if (access.oneWay != OneWay::No || change.up || both.count(way) != 0) return;
+    m_findings.add(
+        Severity::Warning, "access-direction-unknown",
+        "accesses have a direction that nobody knows and are taken to be passed both ways: a_to_b, b_to_a, "
+        "up or down is wanted",
+        "accesses", access.id.value);
 }
 
 void TableReader::addAccesses(Row row, const Layer& layer, const TableKind& kind, const Shapes& shapes) {
     Access access;
     std::string id = idOf(row, layer);
+    access.id = AccessId(id);
     access.kind = kind.access;
     access.level = levelOf(row, layer);
     access.regionA = RegionId(text(row, "region_a"));
@@ -375,8 +445,8 @@ void TableReader::addAccesses(Row row, const Layer& layer, const TableKind& kind
     std::string known = text(row, "region");
     if (access.regionA.empty() && access.regionB.empty() && known != id) access.regionA = RegionId(known);
     access.shaft = ShaftId(text(row, "shaft"));
-    std::string way = text(row, "oneway");
-    access.oneWay = way == "a_to_b" ? OneWay::AToB : way == "b_to_a" ? OneWay::BToA : OneWay::No;
+    RawMap::LevelChange change;
+    readDirection(row, access, change);
     access.doorType = text(row, "door_type");
     access.automatic = flag(row, "automatic");
     access.closed = flag(row, "closed");
@@ -390,6 +460,11 @@ void TableReader::addAccesses(Row row, const Layer& layer, const TableKind& kind
     for (std::size_t part = 0; part < lines.size(); ++part) {
         access.id = AccessId(partId(id, part));
         access.line = lines[part];
+        rememberHeight(m_heights.accesses, m_map.data.accesses.size());
+        if (change.toLevel || change.up) {
+            change.access = access.id;
+            m_map.levelChanges.push_back(change);
+        }
         m_map.data.accesses.push_back(access);
     }
 }
@@ -414,14 +489,19 @@ void TableReader::addLandmarks(Row row, const Layer& layer, const TableKind& kin
     for (std::size_t part = 0; part < points.size(); ++part) {
         landmark.id = LandmarkId(partId(id, part));
         landmark.position = points[part];
+        rememberHeight(m_heights.landmarks, m_map.data.landmarks.size());
         m_map.data.landmarks.push_back(landmark);
     }
 }
 
 void TableReader::addWalls(Row row, const Layer& layer, const Shapes& shapes) {
     double level = levelOf(row, layer);
-    for (const Polyline& line : shapes.lines) m_map.data.walls.push_back({level, line, attributes(row)});
+    for (const Polyline& line : shapes.lines) {
+        rememberHeight(m_heights.walls, m_map.data.walls.size());
+        m_map.data.walls.push_back({level, line, attributes(row)});
+    }
     for (const Polygon& polygon : shapes.polygons) {
+        rememberHeight(m_heights.walls, m_map.data.walls.size());
         Polyline line = polygon.outer;
         if (!line.empty()) line.push_back(line.front());
         m_map.data.walls.push_back({level, std::move(line), attributes(row)});
@@ -477,6 +557,7 @@ Result<RawMap> TableReader::finish(const std::string& source) {
         for (const std::string& layer : m_withoutReference)
             m_findings.add(Severity::Warning, "crs-missing",
                            "layers name no CRS; that of the other layers is taken", layer, layer);
+    if (auto done = levelsFromHeights(); !done) return Error{done.error().code, done.error().message, source};
     resolveReferences();
     m_map.findings = m_findings.take();
     return std::move(m_map);

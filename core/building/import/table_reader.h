@@ -5,7 +5,9 @@
 #include "core/building/import/importer.h"
 #include "core/building/import/table_words.h"
 
+#include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -62,6 +64,9 @@ private:
     bool flag(Row row, const std::string& meaning) const;
     std::string idOf(Row row, const Layer& layer) const;
     double levelOf(Row row, const Layer& layer);
+    void rememberHeight(std::map<std::size_t, double>& heights, std::size_t at) const;
+    Result<void> levelsFromHeights();
+    void readDirection(Row row, Access& access, RawMap::LevelChange& change);
     Attributes attributes(Row row) const;
 
     TableWords m_words;
@@ -72,6 +77,10 @@ private:
     std::set<std::string> m_withoutReference;
     std::set<std::string> m_empty;
     std::size_t m_features = 0;
+    std::optional<double> m_height; ///< of the feature being read, where nothing else tells its level
+    struct Heights {                ///< by place in the lists of the map
+        std::map<std::size_t, double> regions, accesses, landmarks, walls;
+    } m_heights;
 };
 
 } // namespace farol::building

@@ -209,7 +209,7 @@ void checkDoors(const Building& building, Findings& findings) {
         if (access.changesLevel() || access.kind == AccessKind::Window) continue;
         std::vector<std::size_t> regions = drawn.regionsOf(access);
         for (std::size_t region : regions) touched[region] = touched[region] || joins;
-        if (regions.size() > 2) several.push_back(access.id.value);
+        if (regions.size() > 2 && access.kind == AccessKind::Door) several.push_back(access.id.value);
     }
     for (std::size_t i = 0; i < building.regions().size() && building.regions().size() > 1; ++i)
         if (building.neighboursOf(i).empty())

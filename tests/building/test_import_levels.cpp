@@ -280,6 +280,24 @@ TEST(TableLevels, AColumnComesBeforeHeightsUnlessHeightsAreAskedFor) {
     EXPECT_THAT(none.error().text(), HasSubstr("no heights"));
 }
 
+TEST(TableLevels, PlacesBeyondTheEarthAreNotTransformed) {
+    // Web Mercator with such coordinates would be wrapped round the earth turn by turn.
+    auto far = [](const std::string& id, const std::string& x) {
+        return R"({"type":"Feature","properties":{"id":")" + id +
+               R"(","level":0},"geometry":{"type":"Polygon",)" + R"("coordinates":[[[)" + x + ",0],[" + x +
+               ",9],[9,9],[" + x + R"(,0]]]}})";
+    };
+    test::TemporaryFolder folder;
+    folder.write(
+        "plan.geojson",
+        R"({"type":"FeatureCollection","crs":{"type":"name","properties":{"name":"EPSG:3857"}},"features":[)" +
+            far("far", "1e26") + "," + far("near", "1") + "]}");
+    auto imported = importBuilding((folder / "plan.geojson").string());
+    ASSERT_TRUE(imported.ok()) << imported.error().text();
+    EXPECT_EQ(imported->building->regions().size(), 1U);
+    EXPECT_THAT(idsOf(*imported, "coordinates-finite"), Contains("far"));
+}
+
 TEST(TableLevels, DirectionsComeInManyWords) {
     auto door = [](const std::string& id, const std::string& word) {
         return R"({"type":"Feature","properties":{"id":")" + id +

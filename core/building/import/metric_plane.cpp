@@ -18,6 +18,8 @@ namespace {
 constexpr double kLargestDegrees = 0.3;
 /// The grid of a CRS may be this much longer or shorter than the ground.
 constexpr double kScaleTolerance = 0.01;
+/// In no unit of any CRS is a place on earth further than this; transforming what is may take for ever.
+constexpr double kFurthestUnits = 1e9;
 
 using Points = std::vector<Point2*>;
 
@@ -92,6 +94,9 @@ public:
         : m_raw(raw), m_findings(findings), m_points(pointsOf(raw.data)) {}
 
     Result<void> run() {
+        for (Point2* point : m_points) // no numbers: told and left out with their features
+            if (!(std::abs(point->x) <= kFurthestUnits && std::abs(point->y) <= kFurthestUnits))
+                *point = {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
         auto box = extentOf(m_points);
         if (!box) return Error{ErrorCode::Corrupt, "the map has no coordinates", ""};
         m_box = *box;

@@ -65,6 +65,15 @@ std::string wktOf(const OGRSpatialReference& reference) {
     return wkt;
 }
 
+/// Beyond this, in the units of any CRS, transforming may take for ever.
+bool liesOnEarth(const OGRGeometry& geometry) {
+    constexpr double kFurthestUnits = 1e9;
+    OGREnvelope box;
+    geometry.getEnvelope(&box);
+    return box.MinX >= -kFurthestUnits && box.MinY >= -kFurthestUnits && box.MaxX <= kFurthestUnits &&
+           box.MaxY <= kFurthestUnits;
+}
+
 /// The lowest height of a shape, when it has heights.
 std::optional<double> heightOf(const OGRGeometry* geometry) {
     if (geometry == nullptr || geometry->Is3D() == FALSE || geometry->IsEmpty() != FALSE) return std::nullopt;
@@ -164,7 +173,8 @@ Result<void> TableReader::readLayer(OGRLayer& source, const SourceMember& member
         if (table)
             readLevelRow(*row);
         else if (transform && row->GetGeometryRef() != nullptr &&
-                 row->GetGeometryRef()->transformTo(m_reference.get()) != OGRERR_NONE)
+                 (!liesOnEarth(*row->GetGeometryRef()) ||
+                  row->GetGeometryRef()->transformTo(m_reference.get()) != OGRERR_NONE))
             m_findings.add(Severity::Warning, "feature-geometry",
                            "features cannot be brought to the CRS of the other layers", layer.name,
                            idOf(*row, layer));

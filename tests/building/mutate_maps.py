@@ -4,8 +4,8 @@
   mutate_maps.py IMPORT_CHECK REPOSITORY WORK_FOLDER [COUNT [SEED]]
 
 Real maps from FAROL_DATA, where it is there, are damaged beside the small ones of the repository. Each answer must be
-an error in words or a building that can be saved and read again, within 60 s; nothing may crash. The case that failed
-stays in WORK_FOLDER/case.
+an error in words or a building that can be saved and read again, within three minutes (sanitizers on a busy machine);
+nothing may crash. Cases that failed stay in WORK_FOLDER/failed-NUMBER.
 """
 import io
 import json
@@ -21,7 +21,7 @@ import zipfile
 from collections import Counter
 from pathlib import Path
 
-LONGEST_S = 60
+LONGEST_S = 180
 IMDF = {
     "manifest.json": '{"version":"1.0.0","created":"2026-01-01T00:00:00Z","language":"en"}',
     "venue.geojson": '{"type":"FeatureCollection","features":[{"type":"Feature","id":"v","feature_type":"venue",'

@@ -7,6 +7,7 @@
 #include "core/building/geopackage.h"
 #include "core/routing/route.h"
 #include "tests/support/campus.h"
+#include "tests/support/same_building.h"
 #include "tests/support/temporary_folder.h"
 
 #include <gdal_priv.h>
@@ -26,6 +27,7 @@
 namespace farol::building {
 namespace {
 
+using test::expectSame;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -96,46 +98,6 @@ protected:
 
     std::string m_database, m_source;
 };
-
-void expectSame(const BuildingData& a, const BuildingData& b) {
-    EXPECT_EQ(a.title, b.title);
-    EXPECT_EQ(a.languages, b.languages);
-    EXPECT_EQ(a.properties, b.properties);
-    ASSERT_EQ(a.levels.size(), b.levels.size());
-    for (std::size_t i = 0; i < a.levels.size(); ++i) {
-        EXPECT_EQ(a.levels[i].ordinal, b.levels[i].ordinal);
-        EXPECT_EQ(a.levels[i].name, b.levels[i].name);
-        EXPECT_EQ(a.levels[i].elevationM, b.levels[i].elevationM);
-    }
-    ASSERT_EQ(a.regions.size(), b.regions.size());
-    for (std::size_t i = 0; i < a.regions.size(); ++i) {
-        const Region &x = a.regions[i], &y = b.regions[i];
-        EXPECT_EQ(x.id, y.id);
-        EXPECT_EQ(std::tie(x.level, x.name, x.ref, x.kind, x.restricted, x.extra),
-                  std::tie(y.level, y.name, y.ref, y.kind, y.restricted, y.extra))
-            << x.id.value;
-        EXPECT_EQ(x.polygon.outer, y.polygon.outer) << x.id.value;
-        EXPECT_EQ(x.polygon.holes, y.polygon.holes) << x.id.value;
-    }
-    ASSERT_EQ(a.accesses.size(), b.accesses.size());
-    for (std::size_t i = 0; i < a.accesses.size(); ++i) {
-        const Access &x = a.accesses[i], &y = b.accesses[i];
-        EXPECT_EQ(std::tie(x.id, x.kind, x.level, x.regionA, x.regionB, x.shaft, x.oneWay, x.automatic,
-                           x.widthM, x.steps, x.closed, x.line),
-                  std::tie(y.id, y.kind, y.level, y.regionA, y.regionB, y.shaft, y.oneWay, y.automatic,
-                           y.widthM, y.steps, y.closed, y.line))
-            << x.id.value;
-    }
-    ASSERT_EQ(a.landmarks.size(), b.landmarks.size());
-    for (std::size_t i = 0; i < a.landmarks.size(); ++i) {
-        const Landmark &x = a.landmarks[i], &y = b.landmarks[i];
-        EXPECT_EQ(std::tie(x.id, x.kind, x.region, x.level, x.heading, x.position, x.text),
-                  std::tie(y.id, y.kind, y.region, y.level, y.heading, y.position, y.text))
-            << x.id.value;
-    }
-    ASSERT_EQ(a.walls.size(), b.walls.size());
-    for (std::size_t i = 0; i < a.walls.size(); ++i) EXPECT_EQ(a.walls[i].line, b.walls[i].line);
-}
 
 TEST_F(Postgis, TheCommandLineImportsReadsChecksAndRoutes) {
     test::TemporaryFolder folder;

@@ -38,6 +38,8 @@ const std::vector<Evaluation>& evaluations();
 
 Result<EvaluationReport> evaluateDoors(const std::filesystem::path& data);
 Result<EvaluationReport> evaluateLocalisation(const std::filesystem::path& data);
+Result<EvaluationReport> evaluatePlaces(const std::filesystem::path& data);
+Result<EvaluationReport> evaluateRecognition(const std::filesystem::path& data);
 Result<EvaluationReport> evaluateScenes(const std::filesystem::path& data);
 Result<EvaluationReport> evaluateStairs(const std::filesystem::path& data);
 Result<EvaluationReport> evaluateText(const std::filesystem::path& data);

@@ -388,20 +388,13 @@
         <source>Rule: %1</source>
         <translation>Regra: %1</translation>
     </message>
-    <message numerus="yes">
-        <source>%n finding(s)</source>
-        <translation>
-            <numerusform>%n achado</numerusform>
-            <numerusform>%n achados</numerusform>
-        </translation>
-    </message>
     <message>
         <source>What was found</source>
         <translation>O que foi encontrado</translation>
     </message>
     <message>
-        <source>Where</source>
-        <translation>Onde</translation>
+        <source>Features</source>
+        <translation>Elementos</translation>
     </message>
 </context>
 <context>
@@ -3304,6 +3297,50 @@ Abra um com Ctrl+O.</translation>
     <message>
         <source>Something to look at</source>
         <translation>Algo a ver</translation>
+    </message>
+    <message>
+        <source>Directions of doors that are not understood</source>
+        <translation>Sentidos de portas que não se entendem</translation>
+    </message>
+    <message>
+        <source>Say which way one can pass.</source>
+        <translation>Diga em que sentido se pode passar.</translation>
+    </message>
+    <message>
+        <source>Stairs or lifts to a level that nothing names</source>
+        <translation>Escadas ou elevadores para um piso que nada nomeia</translation>
+    </message>
+    <message>
+        <source>Choose the region on the other level.</source>
+        <translation>Escolha o espaço no outro piso.</translation>
+    </message>
+    <message>
+        <source>Upper ends of stairs and lifts that are known already</source>
+        <translation>Cimos de escadas e elevadores que já são conhecidos</translation>
+    </message>
+    <message>
+        <source>Levels counted from the heights of the shapes</source>
+        <translation>Pisos contados pelas alturas das formas</translation>
+    </message>
+    <message>
+        <source>Moving walkways without a direction</source>
+        <translation>Tapetes rolantes sem sentido</translation>
+    </message>
+    <message>
+        <source>Say in the source which way they run.</source>
+        <translation>Diga na origem em que sentido andam.</translation>
+    </message>
+    <message>
+        <source>Moving walkways that lead nowhere</source>
+        <translation>Tapetes rolantes que não levam a lado nenhum</translation>
+    </message>
+    <message>
+        <source>Regions whose door joins two others</source>
+        <translation>Espaços cuja porta liga outros dois</translation>
+    </message>
+    <message>
+        <source>Correct the sides of the door, or put in another one.</source>
+        <translation>Corrija os lados da porta, ou ponha outra.</translation>
     </message>
 </context>
 <context>

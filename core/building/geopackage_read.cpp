@@ -111,12 +111,10 @@ Result<void> Reader::checkIsMap() {
     OGRLayer* regions = layerOf(*m_dataset, regionsLayer());
     if (regions != nullptr) return checkCrs(*regions);
     bool library = m_dataset->GetLayerByName("templates") != nullptr;
-    return Error{
-        ErrorCode::UnsupportedFormat,
-        library
-            ? "is a landmark library without a map: name the file of the building"
-            : "is not a Farol map: it has no layer regions; convert other formats with farol-cli map import",
-        m_place};
+    return Error{ErrorCode::UnsupportedFormat,
+                 library ? "is a landmark library without a map: name the file of the building"
+                         : "is not a Farol map: it has no layer regions; import maps of another kind first",
+                 m_place};
 }
 
 Result<void> Reader::checkCrs(OGRLayer& regions) {

@@ -69,7 +69,7 @@ constexpr std::array<std::string_view, 27> kGlyphs{
 constexpr std::array<std::string_view, 20> kKinds{
     "M 12 21 L 5 8 L 19 8 Z O 12 19 1.2",                                    // Place: a view cone
     "R 7 3 10 18 O 14.5 12 0.9",                                             // Door
-    "M 4 19 L 8 19 L 8 15 L 12 15 L 12 11 L 16 11 L 16 7 L 20 7",            // Stairs
+    "M 2 21 L 8 21 L 8 15 L 15 15 L 15 9 L 22 9 L 22 3",                     // Stairs
     "R 5 3 14 18 M 9 10 L 12 6 L 15 10 Z M 9 14 L 12 18 L 15 14 Z",          // Elevator
     "R 9 8 6 13 M 12 8 L 12 5 L 17 5 M 12 5 L 8 3",                          // Extinguisher
     "R 3 6 18 12 M 7 12 L 16 12 M 13 9 L 16 12 L 13 15",                     // ExitSign
@@ -93,7 +93,7 @@ constexpr std::array<std::string_view, 20> kKinds{
 constexpr std::array<std::string_view, 8> kAccesses{
     "M 4 19 L 4 5 M 4 5 L 11 7 L 16 11 L 18 19",                             // Door: leaf and swing
     "M 4 6 L 4 18 M 20 6 L 20 18",                                           // Opening
-    "M 4 19 L 8 19 L 8 15 L 12 15 L 12 11 L 16 11 L 16 7 L 20 7",            // Stairs
+    "M 2 21 L 8 21 L 8 15 L 15 15 L 15 9 L 22 9 L 22 3",                     // Stairs
     "R 4 3 16 18 M 8 10 L 12 6 L 16 10 Z M 8 14 L 12 18 L 16 14 Z",          // Elevator
     "M 3 19 L 8 19 L 16 8 L 21 8 M 10 8 L 13 5 M 13 5 L 13 8 M 13 5 L 10 5", // Escalator
     "M 3 18 L 21 18 L 21 10 Z",                                              // Ramp

@@ -74,6 +74,16 @@ FeaturePanel::FeaturePanel(QWidget* parent)
     retranslate();
 }
 
+/// Columns in which no row has anything are left out.
+void FeaturePanel::showColumns() {
+    for (int column = 0; column < m_model.columnCount(); ++column) {
+        bool empty = true;
+        for (int row = 0; empty && row < m_model.rowCount(); ++row)
+            empty = m_model.index(row, column).data().toString().isEmpty();
+        m_table->setColumnHidden(column, empty && column > 0);
+    }
+}
+
 std::optional<MapHit> FeaturePanel::hitOf(const QModelIndex& index) const {
     const QModelIndex source = m_filter.mapToSource(index);
     if (!source.isValid()) return std::nullopt;
@@ -88,15 +98,17 @@ void FeaturePanel::showSort(FeatureModel::Sort sort) {
     const QScopedValueRollback quiet(m_quiet, true);
     m_model.setSort(sort);
     m_table->sortByColumn(-1, Qt::AscendingOrder);
+    showColumns();
     m_table->resizeColumnsToContents();
     count();
 }
 
 void FeaturePanel::setBuilding(const std::shared_ptr<const building::Building>& building) {
     const QScopedValueRollback quiet(m_quiet, true);
-    const bool first = m_model.rowCount() == 0;
+    const bool fresh = m_model.rowCount() == 0;
     m_model.setBuilding(building);
-    if (first) m_table->resizeColumnsToContents();
+    showColumns();
+    if (fresh) m_table->resizeColumnsToContents(); // an edit leaves the widths as the user has them
     count();
 }
 

@@ -44,6 +44,7 @@ protected:
 private:
     void showSort(FeatureModel::Sort sort);
     void count();
+    void showColumns();
     void retranslate();
     std::optional<MapHit> hitOf(const QModelIndex& index) const;
 

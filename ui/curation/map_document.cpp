@@ -108,20 +108,22 @@ void MapDocument::loaded(const QString& source, Result<Loaded> result) {
 void MapDocument::save(const QString& path) {
     if (!m_building || m_work != Work::None) return;
     begin(Work::Saving);
-    m_background.run(
-        [building = m_building, name = toUtf8(path)] { return building::saveBuilding(*building, name); },
-        [this, path, what = m_building, step = m_undo.index()](Result<void> result) {
-            begin(Work::None);
-            if (!result) return void(Q_EMIT failed(toQString(result.error().text())));
-            m_path = path;
-            m_neverSaved = false;
-            if (what == m_building && step == m_undo.index())
-                m_undo.setClean();
-            else
-                m_undo.resetClean();
-            Q_EMIT stateChanged();
-            Q_EMIT saved(path);
-        });
+    // Under another name, too, the file keeps what Farol does not know of: it begins as a copy of the old
+    // one.
+    m_background.run([building = m_building, name = toUtf8(path),
+                      origin = toUtf8(m_path)] { return building::saveBuilding(*building, name, origin); },
+                     [this, path, what = m_building, step = m_undo.index()](Result<void> result) {
+                         begin(Work::None);
+                         if (!result) return void(Q_EMIT failed(toQString(result.error().text())));
+                         m_path = path;
+                         m_neverSaved = false;
+                         if (what == m_building && step == m_undo.index())
+                             m_undo.setClean();
+                         else
+                             m_undo.resetClean();
+                         Q_EMIT stateChanged();
+                         Q_EMIT saved(path);
+                     });
 }
 
 void MapDocument::check() {

@@ -299,6 +299,7 @@ void MapPage::showOpened() {
         m_banners->hide(kImported);
         m_settings.addRecent(RecentKind::Map, m_document.source());
     }
+    m_report->setBusy(false);
     showAmbiguity(m_actions->ambiguity->isChecked());
     refreshActions();
 }

@@ -16,6 +16,7 @@
 #include <QTableView>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <cmath>
 
 namespace farol::ui {
@@ -177,7 +178,6 @@ void RoutePanel::summarise() {
         text = tr("Choose where the route begins and ends, here or by the menu of a place on the plan.");
     m_summary->setText(text);
     m_summary->setAccessibleName(text);
-    m_table->setVisible(m_model.route() != nullptr);
 }
 
 void RoutePanel::retranslate() {
@@ -195,6 +195,12 @@ void RoutePanel::retranslate() {
     m_table->setAccessibleName(tr("Sentences of the route"));
     m_table->setToolTip(tr("What the walker hears; choose a sentence to see its place on the plan"));
     m_model.retranslate();
+    int width = 0; // the two fields stand below each other
+    for (PlaceChooser* chooser : {m_from, m_to}) {
+        chooser->label().setMinimumWidth(0);
+        width = std::max(width, chooser->label().sizeHint().width());
+    }
+    for (PlaceChooser* chooser : {m_from, m_to}) chooser->label().setMinimumWidth(width);
 }
 
 void RoutePanel::changeEvent(QEvent* event) {

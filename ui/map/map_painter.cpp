@@ -123,7 +123,7 @@ void MapPainter::paintAccess(QPainter& painter, const AccessShape& shape) const 
     } else if (symbol) {
         painter.setPen(Qt::NoPen);
         painter.setBrush(colour);
-        painter.drawEllipse(middle, 3.0, 3.0);
+        painter.drawEllipse(middle, 2.2, 2.2);
     }
     painter.setBrush(Qt::NoBrush);
     if (access.closed) {

@@ -3,6 +3,8 @@
 #include "ui/convert/convert.h"
 #include "ui/models/rule_words.h"
 
+#include <QLocale>
+
 #include <algorithm>
 
 namespace farol::ui {
@@ -103,7 +105,12 @@ int FindingModel::columnCount(const QModelIndex& /*parent*/) const {
 }
 
 QString FindingModel::text(const Branch& branch, int column) const {
-    if (column == Features) return tr("%n finding(s)", nullptr, static_cast<int>(branch.findings.size()));
+    if (column == Features) {
+        std::size_t features = 0;
+        for (const building::Finding& finding : branch.findings)
+            features += std::max<std::size_t>(finding.ids.size(), 1);
+        return QLocale().toString(static_cast<qulonglong>(features));
+    }
     return tr("%1: %2").arg(severityWord(branch.severity), RuleWords::title(branch.rule));
 }
 
@@ -118,7 +125,7 @@ QVariant FindingModel::data(const QModelIndex& index, int role) const {
 
 QVariant FindingModel::headerData(int section, Qt::Orientation orientation, int role) const {
     if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
-    return section == What ? tr("What was found") : tr("Where");
+    return section == What ? tr("What was found") : tr("Features");
 }
 
 } // namespace farol::ui

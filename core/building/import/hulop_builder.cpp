@@ -92,8 +92,9 @@ void HulopBuilder::chooseFloors() {
         m_zeroBased = m_options.levelFrom == "0";
     else
         note(Severity::Warning, "hulop-floors",
-             m_zeroBased ? "floor 0 is taken as the ground floor; say --level-from 1 when it is floor 1"
-                         : "floor 1 is taken as the ground floor; say --level-from 0 when it is floor 0",
+             m_zeroBased
+                 ? "floor 0 is taken as the ground floor; import it with the level from 1 when it is floor 1"
+                 : "floor 1 is taken as the ground floor; import it with the level from 0 when it is floor 0",
              m_context);
 }
 

@@ -62,7 +62,7 @@ Result<std::unique_ptr<Importer>> chosenImporter(const SourceListing& source, co
     if (best != nullptr) return best;
     return Error{ErrorCode::UnsupportedFormat,
                  "is no indoor map of a kind that is known: " + membersOf(source) + " was tried as " + words +
-                     "; say which with --format, or give column names with --profile",
+                     "; name its kind, or give a profile with its column names",
                  source.path};
 }
 

@@ -323,7 +323,8 @@ void IndoorGmlBuilder::setLevelsByHeight() {
         m_map.data.levels.push_back(Level());
         if (m_cells.size() > 1)
             note(Severity::Warning, "indoorgml-level",
-                 "nothing tells the levels: all is taken as level 0; name the field with --level-from", "");
+                 "nothing tells the levels: all is taken as level 0; name the field that holds the level",
+                 "");
         return;
     }
     for (std::size_t i = 0; i < levels.floors().size(); ++i) {

@@ -171,7 +171,7 @@ Result<void> mendLevels(BuildingData& data, FindingList& findings) {
     if (levels.size() > kMostLevels)
         return Error{ErrorCode::Corrupt,
                      "has " + std::to_string(levels.size()) +
-                         " levels: no building has; the level stands in another attribute (--level-from)",
+                         " levels: no building has; the level stands in another attribute: name that one",
                      ""};
     data.levels = std::move(levels);
     return {};

@@ -250,7 +250,7 @@ double TableReader::levelOf(Row row, const Layer& layer) {
     m_height = heightOf(row.GetGeometryRef());
     if (m_height) return 0.0; // until all heights are known
     m_findings.add(Severity::Note, "level-assumed",
-                   "layers tell no level; the ground floor is assumed (--level-from, or a profile)",
+                   "layers tell no level; the ground floor is assumed: name the field that holds the level",
                    layer.name, layer.context);
     return 0.0;
 }

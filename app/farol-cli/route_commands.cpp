@@ -6,8 +6,10 @@
 #include "core/session/json_fields.h"
 #include "core/session/json_lines.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
 #include <memory>
 #include <utility>
 
@@ -66,6 +68,18 @@ std::string turnWords(Radians turn) {
     return ", turn " + std::to_string(std::abs(degrees)) + (degrees > 0 ? " degrees left" : " degrees right");
 }
 
+/// ", the third on the left" of the doors in the wall beside the way.
+std::string countWords(const Manoeuvre& manoeuvre) {
+    if (manoeuvre.side == routing::Side::None) return "";
+    static const char* const ordinals[] = {"first", "second",  "third",  "fourth", "fifth",
+                                           "sixth", "seventh", "eighth", "ninth",  "tenth"};
+    bool named = manoeuvre.number >= 1 && manoeuvre.number <= 10;
+    std::string number =
+        named ? ordinals[manoeuvre.number - 1] : "number " + std::to_string(manoeuvre.number);
+    return (named ? ", the " : ", ") + number +
+           (manoeuvre.side == routing::Side::Left ? " on the left" : " on the right");
+}
+
 std::string lineOf(const building::Building& building, const Manoeuvre& manoeuvre) {
     char at[32];
     std::snprintf(at, sizeof at, "%7.1f m  ", manoeuvre.atM);
@@ -79,7 +93,7 @@ std::string lineOf(const building::Building& building, const Manoeuvre& manoeuvr
         line += std::string(manoeuvre.vertical == routing::Vertical::Up ? ", up" : ", down") + " to level " +
                 formatNumber(manoeuvre.targetLevel);
     if (manoeuvre.steps) line += ", " + std::to_string(*manoeuvre.steps) + " steps";
-    return line + turnWords(manoeuvre.turn);
+    return line + countWords(manoeuvre) + turnWords(manoeuvre.turn);
 }
 
 void printRoute(const building::Building& building, const Route& route) {
@@ -91,19 +105,25 @@ void printRoute(const building::Building& building, const Route& route) {
 
 Result<routing::RouteOptions> optionsOf(const std::vector<std::string>& avoid) {
     routing::RouteOptions options;
+    const std::pair<const char*, bool*> names[] = {
+        {"stairs", &options.avoidStairs},
+        {"elevator", &options.avoidElevator},
+        {"escalator", &options.avoidEscalator},
+        {"moving-walkway", &options.avoidWalkway},
+        {"ramp", &options.avoidRamp},
+        {"narrow-doors", &options.avoidNarrow},
+        {"restricted", &options.avoidRestricted},
+    };
     for (const std::string& what : avoid) {
-        if (what == "stairs")
-            options.avoidStairs = true;
-        else if (what == "elevator")
-            options.avoidElevator = true;
-        else if (what == "escalator")
-            options.avoidEscalator = true;
-        else if (what == "restricted")
-            options.avoidRestricted = true;
-        else
+        auto known = std::find_if(std::begin(names), std::end(names),
+                                  [&](const auto& each) { return what == each.first; });
+        if (known == std::end(names))
             return Error{ErrorCode::InvalidArgument,
-                         "\"" + what + "\" cannot be avoided; stairs, elevator, escalator and restricted can",
+                         "\"" + what +
+                             "\" cannot be avoided; stairs, elevator, escalator, moving-walkway, ramp, "
+                             "narrow-doors and restricted can",
                          "--avoid"};
+        *known->second = true;
     }
     return options;
 }
@@ -151,11 +171,14 @@ void addRouteCommand(CLI::App& app, int& exitCode) {
         ->check(CLI::IsMember({"optimal", "greedy"}))
         ->capture_default_str();
     command
-        ->add_option("--avoid", arguments->avoid, "What not to use: stairs, elevator, escalator, restricted")
+        ->add_option(
+            "--avoid", arguments->avoid,
+            "What not to use: stairs, elevator, escalator, moving-walkway, ramp, narrow-doors (below 0.8 m), "
+            "restricted")
         ->delimiter(',');
     command->add_flag("--json", arguments->json, "One JSON document on standard output");
-    command->footer(
-        "Example:\n  farol-cli route building.gpkg --from \"Main entrance\" --to 2.14 --avoid stairs");
+    command->footer("Example:\n  farol-cli route building.gpkg --from \"Main entrance\" --to 2.14 --avoid "
+                    "stairs,narrow-doors");
     command->callback([arguments, &exitCode] { exitCode = route(*arguments); });
 }
 

@@ -27,10 +27,31 @@ struct Passage {
     bool lift;
 };
 
+/// What is asked of the map again and again.
+struct GreedyMap {
+    explicit GreedyMap(const RouteGraph& graph) {
+        const Building& building = graph.building();
+        for (const building::Access& access : building.accesses()) middles.push_back(access.midpoint());
+        for (std::size_t region = 0; region < building.regions().size(); ++region) {
+            centres.push_back(pointInside(building.regions()[region].polygon));
+            auto accesses = building.accessesOf(region);
+            bool climbs = std::any_of(accesses.begin(), accesses.end(), [&](std::size_t access) {
+                auto step = graph.rules().stepThrough(access, region);
+                return step && graph.rules().changesLevel(*step);
+            });
+            if (climbs) climbing.push_back(region);
+        }
+    }
+
+    std::vector<Point2> centres;       ///< of the regions
+    std::vector<Point2> middles;       ///< of the accesses
+    std::vector<std::size_t> climbing; ///< regions that stairs, lifts and the like lead out of
+};
+
 class Greedy {
 public:
-    Greedy(const RouteGraph& graph, const Endpoint& from, const Endpoint& to)
-        : m_graph(graph), m_from(from), m_to(to) {}
+    Greedy(const RouteGraph& graph, const GreedyMap& map, const Endpoint& from, const Endpoint& to)
+        : m_graph(graph), m_map(map), m_from(from), m_to(to) {}
 
     std::optional<Steps> run() {
         std::set<double> visited{levelOf(m_from.region)};
@@ -42,10 +63,7 @@ private:
     static constexpr int kMostAttempts = 2000;
 
     double levelOf(std::size_t region) const { return m_graph.building().regions()[region].level; }
-    Point2 centre(std::size_t region) const {
-        return pointInside(m_graph.building().regions()[region].polygon);
-    }
-    Point2 middle(const Step& step) const { return m_graph.building().accesses()[step.access].midpoint(); }
+    Point2 middle(const Step& step) const { return m_map.middles[step.access]; }
     Steps stepsFrom(std::size_t region) const {
         return m_graph.rules().stepsFrom(region, m_from.region, m_to.region);
     }
@@ -60,6 +78,7 @@ private:
     std::vector<double> levelsNearGoal() const;
 
     const RouteGraph& m_graph;
+    const GreedyMap& m_map;
     const Endpoint& m_from;
     const Endpoint& m_to;
     int m_attempts = 0;
@@ -98,7 +117,7 @@ std::optional<Steps> Greedy::onLevel(const Endpoint& from, const Endpoint& to) c
             steps.push_back(*step);
             region = step->into; // (b) the room behind it is the new starting point
             passed.insert(region);
-            position = centre(region);
+            position = m_map.centres[region];
         }
         if (region == to.region) return steps;
         if (region == from.region) return std::nullopt;
@@ -134,7 +153,7 @@ std::optional<Steps> Greedy::throughShaft(std::size_t from, double level, bool l
 /// the shaft over which the straight lines to and from are shortest.
 std::vector<Passage> Greedy::passages(const Endpoint& from, double level) const {
     std::vector<std::pair<std::tuple<bool, double>, Passage>> ranked;
-    for (std::size_t region = 0; region < m_graph.building().regions().size(); ++region) {
+    for (std::size_t region : m_map.climbing) {
         if (levelOf(region) != levelOf(from.region)) continue;
         for (bool lift : {false, true}) {
             std::size_t exit = region;
@@ -275,7 +294,7 @@ private:
 class GreedyPlanner : public Planner {
 public:
     GreedyPlanner(std::shared_ptr<const Building> building, RouteOptions options)
-        : m_graph(std::move(building), options) {}
+        : m_graph(std::move(building), options), m_map(m_graph) {}
 
     Result<Route> plan(const Location& from, const Location& to) const override {
         if (auto sound = m_graph.rules().options().check(); !sound) return sound.error();
@@ -283,7 +302,7 @@ public:
         if (!start) return start.error();
         auto goal = m_graph.endpoint(to, "destination");
         if (!goal) return goal.error();
-        if (auto steps = Greedy(m_graph, *start, *goal).run())
+        if (auto steps = Greedy(m_graph, m_map, *start, *goal).run())
             return PulledWay(m_graph, *start, *goal, *steps).route(*start);
         if (!m_graph.rules().reachable(start->region, goal->region))
             return m_graph.rules().unreachable(start->region, goal->region);
@@ -298,6 +317,7 @@ public:
 
 private:
     RouteGraph m_graph;
+    GreedyMap m_map;
 };
 
 } // namespace

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <future>
 #include <limits>
 #include <span>
 #include <utility>
@@ -18,6 +19,7 @@ using Arc = PortalGraph::Arc;
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 constexpr std::size_t kLeastNodes = 200; // smaller graphs are searched at once without
+constexpr std::size_t kManyNodes = 5000; // from here on two threads are worth their while
 /// The distances are rounded; a bound may never be too high.
 constexpr double kSlackSeconds = 2e-3;
 
@@ -47,7 +49,7 @@ std::vector<float> distancesFrom(std::size_t nodes, Node start, const ArcsOf& ar
 
 LandmarkBounds::LandmarkBounds(const PortalGraph& graph) : m_states(graph.stateCount()) {
     std::size_t nodes = graph.nodeCount();
-    if (nodes < kLeastNodes) return;
+    if (nodes < kLeastNodes || m_states == 0) return;
     Reverse reverse;
     reverse.first.assign(nodes + 1, 0);
     for (Node node = 0; node < nodes; ++node)
@@ -59,14 +61,15 @@ LandmarkBounds::LandmarkBounds(const PortalGraph& graph) : m_states(graph.stateC
         for (const Arc& arc : graph.arcs(node)) reverse.arcs[next[arc.to]++] = {node, arc.seconds};
 
     m_distances.resize(nodes);
-    // Each as far from the ones before as any node is; the first as far as may be from the busiest.
+    // Each as far from the ones before as any door is; the first as far as may be from the busiest. Bends are
+    // none: they are come to by taut ways only, so that ways to them do not add up as distances do.
     Node busiest = 0;
-    for (Node node = 0; node < nodes; ++node)
+    for (Node node = 0; node < m_states; ++node)
         if (graph.arcs(node).size() > graph.arcs(busiest).size()) busiest = node;
     std::vector<float> gap = distancesFrom(nodes, busiest, [&](Node node) { return graph.arcs(node); });
     while (m_count < kMost) {
         Node furthest = busiest;
-        for (Node node = 0; node < nodes; ++node)
+        for (Node node = 0; node < m_states; ++node)
             if (std::isfinite(gap[node]) && gap[node] > gap[furthest]) furthest = node;
         fill(graph, reverse, furthest);
         gap = nearest();
@@ -75,11 +78,17 @@ LandmarkBounds::LandmarkBounds(const PortalGraph& graph) : m_states(graph.stateC
 
 void LandmarkBounds::fill(const PortalGraph& graph, const Reverse& reverse, Node landmark) {
     std::size_t nodes = graph.nodeCount();
-    auto from = distancesFrom(nodes, landmark, [&](Node node) { return graph.arcs(node); });
-    auto to = distancesFrom(nodes, landmark, [&](Node node) {
-        return std::span<const Arc>(reverse.arcs.data() + reverse.first[node],
-                                    reverse.first[node + 1] - reverse.first[node]);
-    });
+    auto forwards = [&] {
+        return distancesFrom(nodes, landmark, [&](Node node) { return graph.arcs(node); });
+    };
+    auto backwards = [&] {
+        return distancesFrom(nodes, landmark, [&](Node node) {
+            return std::span<const Arc>(reverse.arcs.data() + reverse.first[node],
+                                        reverse.first[node + 1] - reverse.first[node]);
+        });
+    };
+    auto other = std::async(nodes < kManyNodes ? std::launch::deferred : std::launch::async, forwards);
+    std::vector<float> to = backwards(), from = other.get();
     for (std::size_t node = 0; node < nodes; ++node) {
         m_distances[node].from[m_count] = from[node];
         m_distances[node].to[m_count] = to[node];

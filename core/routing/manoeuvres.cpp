@@ -1,4 +1,5 @@
 #include "core/routing/corridor_axis.h"
+#include "core/routing/door_count.h"
 #include "core/routing/route.h"
 
 #include <algorithm>
@@ -46,6 +47,9 @@ private:
     Manoeuvre passing(std::size_t portal, Radians turn) const;
     Manoeuvre end(ManoeuvreKind kind) const;
     double climbOf(std::size_t portal) const;
+    bool changesLevel(std::size_t portal) const;
+    void addDoorCount(std::size_t portal, Manoeuvre& manoeuvre) const;
+    std::size_t lastOfRide(std::size_t portal) const;
 
     const Building& m_building;
     const Route& m_route;
@@ -83,6 +87,8 @@ void PathWalk::measure() {
 /// Signed change of direction at an inner point; 0 where the path stands still.
 double PathWalk::bendAt(std::size_t i) const {
     if (i == 0 || i + 1 >= m_route.path.size()) return 0.0;
+    double level = m_route.path[i].level;
+    if (m_route.path[i - 1].level != level || m_route.path[i + 1].level != level) return 0.0;
     Point2 in = m_route.path[i].position - m_route.path[i - 1].position;
     Point2 out = m_route.path[i + 1].position - m_route.path[i].position;
     if (in == Point2{} || out == Point2{}) return 0.0;
@@ -93,6 +99,8 @@ double PathWalk::bendAt(std::size_t i) const {
 std::size_t PathWalk::absorbed(std::size_t portal, bool forward) const {
     std::size_t at = m_portals[portal];
     std::size_t furthest = at;
+    // A turn behind stairs or a lift is told for itself: one has found one's bearings by then.
+    if (changesLevel(portal)) return forward && at + 1 < m_route.path.size() ? at + 1 : at;
     double here = m_flat[at];
     double reach = kMergeM;
     if (forward && portal + 1 < m_portals.size())
@@ -201,11 +209,48 @@ ManoeuvreKind kindOf(AccessKind kind) {
     return ManoeuvreKind::Door;
 }
 
+bool PathWalk::changesLevel(std::size_t portal) const {
+    const Region* from = m_building.region(m_route.regions[portal]);
+    const Region* into = m_building.region(m_route.regions[portal + 1]);
+    return from != nullptr && into != nullptr && std::abs(from->level - into->level) > 1e-6;
+}
+
+/// Which access ends the ride that begins with this one: one stays in the car.
+std::size_t PathWalk::lastOfRide(std::size_t portal) const {
+    const Access* lift = m_building.access(m_route.accesses[portal]);
+    while (lift != nullptr && lift->kind == AccessKind::Elevator && portal + 1 < m_portals.size()) {
+        const Access* next = m_building.access(m_route.accesses[portal + 1]);
+        const Region* between = m_building.region(m_route.regions[portal + 1]);
+        bool inCar =
+            !lift->shaft.empty() || (between != nullptr && between->kind == building::RegionKind::Elevator);
+        if (next == nullptr || next->kind != AccessKind::Elevator || next->shaft != lift->shaft || !inCar)
+            break;
+        ++portal;
+    }
+    return portal;
+}
+
+void PathWalk::addDoorCount(std::size_t portal, Manoeuvre& manoeuvre) const {
+    const Access* access = m_building.access(m_route.accesses[portal]);
+    auto region = m_building.regionIndex(m_route.regions[portal]);
+    std::size_t begin = portal == 0 ? 0 : m_portals[portal - 1];
+    std::size_t from = m_portals[portal];
+    if (access == nullptr || !region || from == begin) return;
+    // Back to where one began to walk this way.
+    for (--from; from > begin && std::abs(bendAt(from)) < kTurnRadians; --from) {
+    }
+    if (m_route.path[from].level != manoeuvre.level) return;
+    auto count = countDoors(m_building, *region, *access, m_route.path[from].position);
+    if (!count) return;
+    manoeuvre.side = count->left ? Side::Left : Side::Right;
+    manoeuvre.number = count->number;
+}
+
 Manoeuvre PathWalk::passing(std::size_t portal, Radians turn) const {
     Manoeuvre manoeuvre;
     manoeuvre.access = m_route.accesses[portal];
     manoeuvre.from = m_route.regions[portal];
-    manoeuvre.into = m_route.regions[portal + 1];
+    manoeuvre.into = m_route.regions[lastOfRide(portal) + 1];
     manoeuvre.position = m_route.path[m_portals[portal]].position;
     manoeuvre.turn = turn;
     manoeuvre.atM = m_at[m_portals[portal]];
@@ -217,6 +262,8 @@ Manoeuvre PathWalk::passing(std::size_t portal, Radians turn) const {
         manoeuvre.kind = kindOf(access->kind);
         manoeuvre.steps = access->steps;
     }
+    if (changesLevel(portal)) manoeuvre.turn = {};
+    addDoorCount(portal, manoeuvre);
     return manoeuvre;
 }
 

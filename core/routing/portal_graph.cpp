@@ -3,7 +3,9 @@
 #include "core/routing/wide_opening.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <future>
 #include <numeric>
 #include <utility>
 
@@ -16,6 +18,7 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t kMostDoorsOfDeadEnd = 4;
+constexpr std::size_t kManyZones = 2000;
 
 std::size_t rootOf(std::vector<std::uint32_t>& parents, std::size_t i) {
     while (parents[i] != i) i = parents[i] = parents[parents[i]];
@@ -170,7 +173,18 @@ void PortalGraph::addBends() {
 
 void PortalGraph::addArcs() {
     std::vector<Row> rows(stateCount() + m_bendZone.size());
-    for (const Zone& zone : m_zones) addArcsOfZone(zone, rows);
+    // Zones share no row. Where there are many, two threads share the work.
+    std::atomic<std::size_t> next{0};
+    auto work = [&] {
+        for (std::size_t i = next++; i < m_zones.size(); i = next++) addArcsOfZone(m_zones[i], rows);
+    };
+    if (m_zones.size() < kManyZones) {
+        work();
+    } else {
+        auto other = std::async(std::launch::async, work);
+        work();
+        other.get();
+    }
     m_firstArc.reserve(rows.size() + 1);
     m_firstShut.reserve(rows.size());
     m_firstArc.push_back(0);

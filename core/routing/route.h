@@ -17,9 +17,12 @@ using building::Location;
 
 enum class ManoeuvreKind { Start, Door, Opening, Stairs, Elevator, Escalator, Ramp, Turn, Arrive };
 enum class Vertical { None, Up, Down };
+enum class Side { None, Left, Right };
 
 /// One thing to do on the way. `turn` is how the walking direction changes there, from the path's own
-/// geometry (counter-clockwise, so left, is positive); 0 on Start and Arrive.
+/// geometry (counter-clockwise, so left, is positive); 0 on Start and Arrive, and on stairs, lifts and
+/// escalators, which may turn as they like. A lift's `into` and `targetLevel` are those of the whole ride:
+/// the level to choose.
 struct Manoeuvre {
     ManoeuvreKind kind = ManoeuvreKind::Start;
     AccessId access; ///< the access passed; empty on Start, Turn and Arrive
@@ -31,6 +34,10 @@ struct Manoeuvre {
     Radians turn;
     Vertical vertical = Vertical::None;
     std::optional<int> steps;
+    /// Of a door or opening in a wall one walks along: on which side it comes, and as which of its kind
+    /// there, counted from where one began to walk that way.
+    Side side = Side::None;
+    int number = 0;
     double atM = 0.0; ///< walking distance from the start of the route
 };
 

@@ -34,6 +34,16 @@ void forEachEdge(const Polygon& polygon, Visit visit) {
     for (const Ring& hole : polygon.holes) around(hole);
 }
 
+/// Well within? Points near the border may be told either way.
+bool surelyInside(const Polygon& polygon, Point2 p) {
+    bool inside = false;
+    forEachEdge(polygon, [&](Point2 a, Point2 b) {
+        if ((a.y > p.y) != (b.y > p.y) && p.x < (b.x - a.x) * (p.y - a.y) / (b.y - a.y) + a.x)
+            inside = !inside;
+    });
+    return inside;
+}
+
 /// Does a ring without a right turn go round once only? (A star of five points turns left throughout.)
 bool simplyTurned(const Ring& ring) {
     double turned = 0.0;
@@ -48,7 +58,7 @@ bool simplyTurned(const Ring& ring) {
 } // namespace
 
 Point2 nearestWithin(const Polygon& polygon, Point2 p) {
-    if (contains(polygon, p)) return p;
+    if (surelyInside(polygon, p) || contains(polygon, p)) return p;
     Point2 best = p;
     double nearest = kInfinity;
     forEachEdge(polygon, [&](Point2 a, Point2 b) {
@@ -74,14 +84,16 @@ WalkingSpace::WalkingSpace(const Polygon& polygon)
     };
     collect(m_polygon.outer);
     for (const Ring& hole : m_polygon.holes) collect(hole);
+    forEachEdge(m_polygon, [&](Point2 a, Point2 b) { m_edges.emplace_back(a, b); });
     m_open = m_corners.empty() && m_polygon.holes.empty() && m_polygon.outer.size() > 2 &&
              simplyTurned(m_polygon.outer);
     m_visible.resize(m_corners.size());
     for (std::size_t i = 0; i < m_corners.size(); ++i) {
+        std::size_t blocker = m_edges.size(); // corners side by side are mostly hidden by one edge
         for (std::size_t j = i + 1; j < m_corners.size(); ++j) {
             if (!m_corners[i].worthGoing(m_corners[j].position) ||
                 !m_corners[j].worthGoing(m_corners[i].position) ||
-                !sees(m_corners[i].position, m_corners[j].position))
+                !sees(m_corners[i].position, m_corners[j].position, &blocker))
                 continue;
             m_visible[i].push_back(j);
             m_visible[j].push_back(i);
@@ -107,36 +119,59 @@ std::vector<WalkingSpace::Corner> WalkingSpace::corners() const {
     return moved;
 }
 
-bool WalkingSpace::sees(Point2 a, Point2 b) const {
-    Point2 way = b - a;
-    double whole = length(way);
-    if (whole <= kTouch || m_open) return true;
-    Point2 direction = way * (1.0 / whole);
-    std::vector<double> touches{0.0, whole};
-    bool crossed = false;
-    forEachEdge(m_polygon, [&](Point2 c, Point2 d) {
-        if (crossed) return;
+namespace {
+
+/// A straight line from `a`, and how an edge lies to it.
+struct Line {
+    Point2 a, b, direction;
+    double whole;
+
+    bool crossedBy(Point2 c, Point2 d) const {
         double sideC = cross(direction, c - a);
         double sideD = cross(direction, d - a);
-        double along = dot(direction, c - a);
-        if (std::abs(sideC) <= kTouch) {
-            if (along > 0.0 && along < whole) touches.push_back(along);
-            return;
-        }
-        if (std::abs(sideD) <= kTouch || (sideC > 0.0) == (sideD > 0.0)) return;
+        if (std::abs(sideC) <= kTouch || std::abs(sideD) <= kTouch || (sideC > 0.0) == (sideD > 0.0))
+            return false;
         Point2 edge = d - c;
-        double size = length(edge);
-        double sideA = cross(edge, a - c) / size;
-        double sideB = cross(edge, b - c) / size;
-        crossed = (sideA > kTouch && sideB < -kTouch) || (sideA < -kTouch && sideB > kTouch);
-    });
-    if (crossed) return false;
+        double reach = kTouch * length(edge);
+        double sideA = cross(edge, a - c);
+        double sideB = cross(edge, b - c);
+        return (sideA > reach && sideB < -reach) || (sideA < -reach && sideB > reach);
+    }
+    /// Where it touches the beginning of an edge, as metres from `a`; 0 where it does not.
+    double touching(Point2 c) const {
+        double along = dot(direction, c - a);
+        return std::abs(cross(direction, c - a)) <= kTouch && along > 0.0 && along < whole ? along : 0.0;
+    }
+};
+
+} // namespace
+
+bool WalkingSpace::sees(Point2 a, Point2 b, std::size_t* blocker) const {
+    double whole = distance(a, b);
+    if (whole <= kTouch || m_open) return true;
+    Point2 direction = (b - a) * (1.0 / whole);
+    Line line{a, b, direction, whole};
+    if (blocker != nullptr && *blocker < m_edges.size() &&
+        line.crossedBy(m_edges[*blocker].first, m_edges[*blocker].second))
+        return false;
+    std::vector<double> touches; // seldom any
+    for (std::size_t i = 0; i < m_edges.size(); ++i) {
+        if (line.crossedBy(m_edges[i].first, m_edges[i].second)) {
+            if (blocker != nullptr) *blocker = i;
+            return false;
+        }
+        double along = line.touching(m_edges[i].first);
+        if (along > 0.0) touches.push_back(along);
+    }
     // Nothing is crossed, but corners may be touched: between two of them one is either inside or outside.
     std::sort(touches.begin(), touches.end());
-    for (std::size_t i = 1; i < touches.size(); ++i) {
-        if (touches[i] - touches[i - 1] <= 2.0 * kTouch) continue;
-        Point2 middle = a + direction * ((touches[i] + touches[i - 1]) / 2.0);
-        if (distanceToPolygon(m_polygon, middle) > kTouch) return false;
+    double before = 0.0;
+    for (std::size_t i = 0; i <= touches.size(); ++i) {
+        double next = i < touches.size() ? touches[i] : whole;
+        double low = std::exchange(before, next);
+        if (next - low <= 2.0 * kTouch) continue;
+        Point2 middle = a + direction * ((low + next) / 2.0);
+        if (!surelyInside(m_polygon, middle) && distanceToPolygon(m_polygon, middle) > kTouch) return false;
     }
     return true;
 }

@@ -5,6 +5,7 @@
 #include "core/base/geometry.h"
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace farol::routing {
@@ -57,11 +58,13 @@ private:
         double length = 0.0;
     };
 
-    bool sees(Point2 a, Point2 b) const;
+    /// `blocker`: an edge that is tried first, and the one that was in the way.
+    bool sees(Point2 a, Point2 b, std::size_t* blocker = nullptr) const;
     Way wayTo(const Tree& tree, Point2 target) const;
 
     Polygon m_polygon;             ///< relative to m_origin, free space to the left of every edge
     Point2 m_origin;               ///< map coordinates in millions would eat the digits
+    std::vector<std::pair<Point2, Point2>> m_edges; ///< of m_polygon
     std::vector<Corner> m_corners; ///< relative to m_origin
     std::vector<std::vector<std::size_t>> m_visible;
     bool m_open = false; ///< convex, without holes: from everywhere one sees everything

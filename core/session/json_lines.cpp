@@ -105,6 +105,9 @@ Json manoeuvreJson(const routing::Manoeuvre& manoeuvre) {
     json["turn_deg"] = degreesJson(manoeuvre.turn);
     json["vertical"] = verticalName(manoeuvre.vertical);
     json["steps"] = manoeuvre.steps ? Json(*manoeuvre.steps) : Json(nullptr);
+    bool counted = manoeuvre.side != routing::Side::None;
+    json["side"] = !counted ? Json(nullptr) : Json(manoeuvre.side == routing::Side::Left ? "left" : "right");
+    json["number"] = counted ? Json(manoeuvre.number) : Json(nullptr);
     json["at_m"] = printedNumber(manoeuvre.atM);
     return json;
 }

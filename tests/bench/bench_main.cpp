@@ -1,17 +1,20 @@
 // farol-bench: Google Benchmark over core, or `--walk MAP LIBRARY FRAMES` over a real walk.
 
+#include "tests/bench/planner_table.h"
 #include "tests/bench/walk_bench.h"
 
 #include <benchmark/benchmark.h>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <vector>
 
 namespace {
 
 int usage() {
     std::fprintf(stderr,
                  "usage: farol-bench --walk MAP LIBRARY FRAMES [--fps F] [--laps N]\n"
+                 "       farol-bench --planners REGIONS...\n"
                  "       farol-bench [options of Google Benchmark, such as --benchmark_filter=Navigator]\n");
     return 2;
 }
@@ -36,10 +39,21 @@ int walk(int argc, char** argv) {
     return farol::bench::benchWalk(options);
 }
 
+int planners(int argc, char** argv) {
+    std::vector<std::size_t> regions;
+    for (int i = 2; i < argc; ++i) {
+        long long value = std::atoll(argv[i]);
+        if (value < 100 || value > 1000000) return usage();
+        regions.push_back(static_cast<std::size_t>(value));
+    }
+    return regions.empty() ? usage() : farol::bench::benchPlanners(regions);
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
     if (argc > 1 && std::strcmp(argv[1], "--walk") == 0) return walk(argc, argv);
+    if (argc > 1 && std::strcmp(argv[1], "--planners") == 0) return planners(argc, argv);
     if (argc > 1 && std::strcmp(argv[1], "--help") == 0) usage();
     benchmark::Initialize(&argc, argv);
     if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;

@@ -192,5 +192,108 @@ TEST(Manoeuvres, degenerateRoutes) {
     EXPECT_TRUE(manoeuvresAlong(*building, Route{}, {}).empty());
 }
 
+/// What is said of the doors on the way: number, side and the region behind.
+std::vector<std::string> counted(const Route& route) {
+    std::vector<std::string> words;
+    for (const Manoeuvre& each : route.manoeuvres) {
+        if (each.access.empty()) continue;
+        std::string side = each.side == Side::Left ? "left" : each.side == Side::Right ? "right" : "ahead";
+        words.push_back((each.side == Side::None ? "" : std::to_string(each.number) + " ") + side + " " +
+                        each.into.value);
+    }
+    return words;
+}
+
+TEST(Manoeuvres, doorsInTheWallAreCounted) {
+    AsciiMap map;
+    map.floor(R"(
+        +---+---+---+---+---+
+        |B  |C  |D  |E  |F  |
+        |   |   |   | 2 |   |
+        +-/-+-*-+-%-+-/-+-/-+
+        |A                  |
+        |1                  |
+        +-/-----/---+-/-+-/-+
+        |G          |H  |I  |
+        +-----------+---+---+
+    )");
+    auto building = map.build();
+    auto planner = makeOptimalPlanner(building);
+    // B, the closed door of C, then E; a window is no door.
+    EXPECT_THAT(counted(*planner->plan(map.spot('1'), map.spot('2'))), ElementsAre("3 left E"));
+    EXPECT_THAT(counted(*planner->plan(in("F"), in("E"))), ElementsAre("ahead A", "1 right E"));
+    EXPECT_THAT(counted(*planner->plan(map.spot('1'), in("I"))), ElementsAre("4 right I"));
+    EXPECT_THAT(counted(*planner->plan(in("I"), in("G"))), ElementsAre("ahead A", "2 left G"));
+    EXPECT_THAT(counted(*planner->plan(map.spot('2'), in("H"))), ElementsAre("ahead A", "ahead H"))
+        << "the door on the other side is no door in a wall one follows";
+}
+
+TEST(Manoeuvres, countingBeginsAgainAfterATurn) {
+    AsciiMap map;
+    map.floor(R"(
+        +--+-----+
+        |A /B    |
+        |  +-----+
+        |  /C   2|
+        |  +-----+
+        |  /D    |
+        |  +-----+-----------+
+        |                   1|
+        +-/----/-------/-----+
+        |E                   |
+        +--------------------+
+    )");
+    Route route = planned(map);
+    EXPECT_THAT(spoken(route).size(), 4U);
+    EXPECT_THAT(counted(route), ElementsAre("2 right C"));
+}
+
+TEST(Manoeuvres, aLiftIsToldTheLevelToChoose) {
+    AsciiMap map;
+    map.floor("+---+---+\n|A 1/L  |\n|   |   |\n+---+---+", 0.0);
+    map.floor("+---+---+\n|B  /M  |\n|   |   |\n+---+---+", 1.0);
+    map.floor("+---+---+\n|C 2/N  |\n|   |   |\n+---+---+", 2.0);
+    for (char car : {'L', 'M', 'N'}) map.region(car, {"", building::RegionKind::Elevator});
+    map.join(building::AccessKind::Elevator, 'L', 'M', "X")
+        .join(building::AccessKind::Elevator, 'M', 'N', "X");
+    Route route = planned(map);
+    EXPECT_THAT(spoken(route),
+                ElementsAre("start", "door -15", "elevator", "elevator", "door +15", "arrive"));
+    const Manoeuvre& lift = route.manoeuvres[2];
+    EXPECT_EQ(lift.kind, ManoeuvreKind::Elevator);
+    EXPECT_EQ(lift.level, 0.0);
+    EXPECT_EQ(lift.targetLevel, 2.0) << "not the floor it passes";
+    EXPECT_EQ(lift.into, RegionId("N"));
+    EXPECT_EQ(lift.turn.value, 0.0);
+}
+
+TEST(Manoeuvres, stairsComeOutWhereTheUpperRegionIs) {
+    AsciiMap map;
+    map.floor("+---+---+\n|A 1/L  |\n|   |   |\n+---+---+", 0.0);
+    map.floor("+---+---+---+\n|Z  |M  |B 2|\n|   |   /   |\n+---+---+---+", 1.0);
+    map.join(building::AccessKind::Stairs, 'L', 'M', "X", 18);
+    building::BuildingData data = map.data();
+    // The flight begins two metres before the landing.
+    data.accesses.back().line = {{3.0, 1.5}};
+    data.regions[1].polygon.outer = {{2.0, 0.0}, {8.0, 0.0}, {8.0, 3.0}, {2.0, 3.0}};
+    data.regions[0].polygon.outer = {{0.0, 0.0}, {2.0, 0.0}, {2.0, 3.0}, {0.0, 3.0}};
+    data.accesses[0].line = {{2.0, 1.0}, {2.0, 2.0}};
+    auto route = makeOptimalPlanner(std::make_shared<Building>(data))
+                     ->plan({RegionId("A"), Point2{1.0, 1.5}}, map.spot('2'));
+    ASSERT_TRUE(route.ok());
+    double walked = 0.0;
+    for (std::size_t i = 1; i < route->path.size(); ++i) {
+        const PathPoint &a = route->path[i - 1], &b = route->path[i];
+        if (a.level != b.level) {
+            EXPECT_EQ(a.position, (Point2{3.0, 1.5}));
+            EXPECT_EQ(b.position, (Point2{4.0, 1.5})) << "in the upper region";
+        } else {
+            walked += distance(a.position, b.position);
+        }
+    }
+    EXPECT_NEAR(route->lengthM, walked + 6.0, 1e-9) << "between them only the stairs are walked";
+    EXPECT_NEAR(route->manoeuvres.back().atM, route->lengthM, 1e-9);
+}
+
 } // namespace
 } // namespace farol::routing

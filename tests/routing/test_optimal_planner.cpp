@@ -292,6 +292,117 @@ TEST(OptimalPlanner, anOpeningOfAPointIsAsWideAsItSays) {
     EXPECT_NEAR(narrow.lengthM, 2.0 * std::hypot(4.0, 1.5), 1e-3) << "nothing is known but the point";
 }
 
+/// A and C over B, by a way of each kind; the corridor D round about is longer.
+std::shared_ptr<const Building> waysOf(AccessKind kind, std::optional<double> widthM = std::nullopt,
+                                       std::optional<int> steps = std::nullopt) {
+    AsciiMap map;
+    map.floor(R"(
+        +---+---+---+
+        |A  /B  /C  |
+        +-:-+---+-:-+
+        |D          |
+        |           |
+        |           |
+        |           |
+        +-----------+
+    )");
+    building::BuildingData data = map.data();
+    for (building::Access& access : data.accesses)
+        if (access.id == AccessId("A-B")) {
+            access.kind = kind;
+            access.widthM = widthM;
+            access.steps = steps;
+        }
+    return std::make_shared<Building>(std::move(data));
+}
+
+std::vector<std::string> overBOr(std::shared_ptr<const Building> building, RouteOptions options) {
+    options.doorSeconds = 0.0;
+    return regionsOf(planned(building, in("A"), in("C"), options));
+}
+
+TEST(OptimalPlanner, whatEachProfileAvoids) {
+    struct Case {
+        AccessKind kind;
+        bool RouteOptions::*avoid;
+    };
+    for (const Case& each : {Case{AccessKind::Ramp, &RouteOptions::avoidRamp},
+                             Case{AccessKind::Escalator, &RouteOptions::avoidWalkway},
+                             Case{AccessKind::Stairs, &RouteOptions::avoidStairs}}) {
+        RouteOptions options;
+        options.stairsSecondsPerLevel = 1.0;
+        auto building = waysOf(each.kind);
+        EXPECT_THAT(overBOr(building, options), ElementsAre("A", "B", "C"));
+        options.*each.avoid = true;
+        EXPECT_THAT(overBOr(building, options), ElementsAre("A", "D", "C"));
+    }
+    RouteOptions options;
+    options.avoidEscalator = true;
+    EXPECT_THAT(overBOr(waysOf(AccessKind::Escalator), options), ElementsAre("A", "B", "C"))
+        << "it stays on its level: a moving walkway";
+}
+
+TEST(OptimalPlanner, narrowDoors) {
+    RouteOptions options;
+    options.avoidNarrow = true;
+    EXPECT_THAT(overBOr(waysOf(AccessKind::Door, 0.79), options), ElementsAre("A", "D", "C"));
+    EXPECT_THAT(overBOr(waysOf(AccessKind::Door, 0.8), options), ElementsAre("A", "B", "C"));
+    EXPECT_THAT(overBOr(waysOf(AccessKind::Door), options), ElementsAre("A", "B", "C")) << "drawn 0.9 m wide";
+    options.narrowDoorM = 0.95;
+    EXPECT_EQ(refusal(waysOf(AccessKind::Door), in("A"), in("C"), options),
+              "C can be reached by a narrow door only, which is to be avoided")
+        << "all are drawn 0.9 m wide";
+    options.narrowDoorM = 0.8;
+    options.avoidNarrow = false;
+    options.narrowDoorSeconds = 100.0;
+    EXPECT_THAT(overBOr(waysOf(AccessKind::Door, 0.7), options), ElementsAre("A", "D", "C"));
+}
+
+TEST(OptimalPlanner, stepsWithinALevelTakeTheirTime) {
+    double none = planned(waysOf(AccessKind::Ramp), in("A"), in("B")).seconds;
+    double nine = planned(waysOf(AccessKind::Stairs, {}, 9), in("A"), in("B")).seconds;
+    double untold = planned(waysOf(AccessKind::Stairs), in("A"), in("B")).seconds;
+    EXPECT_NEAR(nine - none, 10.0, 1e-9);
+    EXPECT_NEAR(untold - none, 10.0, 1e-9);
+}
+
+TEST(OptimalPlanner, anEscalatorRunsOneWay) {
+    AsciiMap map;
+    map.floor("+---+\n|A  |\n|   |\n+---+").floor("+---+\n|B  |\n|   |\n+---+", 1.0);
+    map.join(AccessKind::Escalator, 'A', 'B');
+    building::BuildingData data = map.data();
+    data.accesses[0].oneWay = building::OneWay::AToB;
+    auto building = std::make_shared<const Building>(std::move(data));
+    Route up = planned(building, in("A"), in("B"));
+    EXPECT_EQ(up.manoeuvres[1].kind, ManoeuvreKind::Escalator);
+    EXPECT_NEAR(up.seconds, 20.0, 1e-9);
+    EXPECT_EQ(refusal(building, in("B"), in("A")), "A can be reached against a one-way access only (B to A)");
+    RouteOptions options;
+    options.avoidEscalator = true;
+    EXPECT_EQ(refusal(building, in("A"), in("B"), options),
+              "B can be reached by escalator only, which is to be avoided");
+}
+
+TEST(OptimalPlanner, leavesARegionWhereThatIsShorter) {
+    AsciiMap map;
+    map.floor(R"(
+        +---+---+---+
+        |A 1/B  /  2|
+        |   |   |   |
+        |   |   |   |
+        |   |   |   |
+        |   +---+   |
+        |           |
+        +-----------+
+    )");
+    RouteOptions options;
+    options.doorSeconds = 1.0;
+    EXPECT_THAT(regionsOf(planned(map.build(), map.spot('1'), map.spot('2'), options)),
+                ElementsAre("A", "B", "A"));
+    options.doorSeconds = 60.0;
+    EXPECT_THAT(regionsOf(planned(map.build(), map.spot('1'), map.spot('2'), options)), ElementsAre("A"));
+}
+
 TEST(OptimalPlanner, manyThreadsPlanWithOnePlanner) {
     AsciiMap map = tower();
     auto planner = makeOptimalPlanner(map.build());

@@ -47,9 +47,10 @@ std::vector<float> distancesFrom(std::size_t nodes, Node start, const ArcsOf& ar
 
 } // namespace
 
-LandmarkBounds::LandmarkBounds(const PortalGraph& graph) : m_states(graph.stateCount()) {
+LandmarkBounds::LandmarkBounds(const PortalGraph& graph, std::size_t landmarks)
+    : m_states(graph.stateCount()) {
     std::size_t nodes = graph.nodeCount();
-    if (nodes < kLeastNodes || m_states == 0) return;
+    if (nodes < kLeastNodes || m_states == 0 || landmarks == 0) return;
     Reverse reverse;
     reverse.first.assign(nodes + 1, 0);
     for (Node node = 0; node < nodes; ++node)
@@ -67,7 +68,7 @@ LandmarkBounds::LandmarkBounds(const PortalGraph& graph) : m_states(graph.stateC
     for (Node node = 0; node < m_states; ++node)
         if (graph.arcs(node).size() > graph.arcs(busiest).size()) busiest = node;
     std::vector<float> gap = distancesFrom(nodes, busiest, [&](Node node) { return graph.arcs(node); });
-    while (m_count < kMost) {
+    while (m_count < std::min(landmarks, kMost)) {
         Node furthest = busiest;
         for (Node node = 0; node < m_states; ++node)
             if (std::isfinite(gap[node]) && gap[node] > gap[furthest]) furthest = node;

@@ -13,9 +13,10 @@ namespace farol::routing {
 
 class LandmarkBounds {
 public:
-    explicit LandmarkBounds(const PortalGraph& graph);
-
     static constexpr std::size_t kMost = 8;
+    /// With `landmarks` 0 there are no bounds: the search is Dijkstra's.
+    explicit LandmarkBounds(const PortalGraph& graph, std::size_t landmarks = kMost);
+
     /// Seconds to and from the landmarks; infinite where there is no way.
     struct Distances {
         std::array<float, kMost> from{};

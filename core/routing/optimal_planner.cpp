@@ -23,9 +23,9 @@ public:
         if (!start) return start.error();
         auto goal = m_graph.endpoint(to, "destination");
         if (!goal) return goal.error();
-        auto nodes = m_search->run(*start, *goal);
-        if (!nodes) return m_graph.rules().unreachable(start->region, goal->region);
-        return routeOver(*nodes, *start, *goal);
+        auto found = m_search->run(*start, *goal);
+        if (!found) return m_graph.rules().unreachable(start->region, goal->region);
+        return routeOver(found->nodes, *start, *goal);
     }
 
 private:

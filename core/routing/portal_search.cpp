@@ -54,15 +54,17 @@ public:
         room.begin();
     }
 
-    std::optional<std::vector<Node>> run() {
+    std::optional<Found> run() {
         aimAtGoal();
         leaveStart();
         expandAll();
         if (!std::isfinite(m_best)) return std::nullopt;
-        std::vector<Node> nodes;
+        Found found;
+        found.seconds = m_best;
+        std::vector<Node>& nodes = found.nodes;
         for (Node at = m_last; at != PortalGraph::kNone; at = m_room.label(at).previous) nodes.push_back(at);
         std::reverse(nodes.begin(), nodes.end());
-        return nodes;
+        return found;
     }
 
 private:
@@ -236,12 +238,11 @@ void PortalSearch::giveBack(std::unique_ptr<SearchRoom> room) const {
     m_rooms.push_back(std::move(room));
 }
 
-std::optional<std::vector<PortalSearch::Node>> PortalSearch::run(const Endpoint& from,
-                                                                 const Endpoint& to) const {
+std::optional<PortalSearch::Found> PortalSearch::run(const Endpoint& from, const Endpoint& to) const {
     auto own = room();
-    auto nodes = Query(m_graph, m_bounds, *own, from, to).run();
+    auto found = Query(m_graph, m_bounds, *own, from, to).run();
     giveBack(std::move(own));
-    return nodes;
+    return found;
 }
 
 } // namespace farol::routing

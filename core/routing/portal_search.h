@@ -55,8 +55,12 @@ public:
 
     PortalSearch(const PortalGraph& graph, const LandmarkBounds& bounds);
 
-    /// The nodes passed on the way, in order; empty when there is no way. Safe from several threads.
-    std::optional<std::vector<Node>> run(const Endpoint& from, const Endpoint& to) const;
+    struct Found {
+        std::vector<Node> nodes; ///< passed on the way, in order
+        double seconds = 0.0;
+    };
+    /// Empty when there is no way. Safe from several threads.
+    std::optional<Found> run(const Endpoint& from, const Endpoint& to) const;
 
 private:
     class Query;

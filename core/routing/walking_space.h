@@ -62,10 +62,10 @@ private:
     bool sees(Point2 a, Point2 b, std::size_t* blocker = nullptr) const;
     Way wayTo(const Tree& tree, Point2 target) const;
 
-    Polygon m_polygon;             ///< relative to m_origin, free space to the left of every edge
-    Point2 m_origin;               ///< map coordinates in millions would eat the digits
+    Polygon m_polygon; ///< relative to m_origin, free space to the left of every edge
+    Point2 m_origin;   ///< map coordinates in millions would eat the digits
     std::vector<std::pair<Point2, Point2>> m_edges; ///< of m_polygon
-    std::vector<Corner> m_corners; ///< relative to m_origin
+    std::vector<Corner> m_corners;                  ///< relative to m_origin
     std::vector<std::vector<std::size_t>> m_visible;
     bool m_open = false; ///< convex, without holes: from everywhere one sees everything
 };

@@ -1,5 +1,6 @@
 // Every way that the optimal planner finds costs what an independent search over the free space of whole
 // floors says it has to: to a millimetre.
+#include "core/routing/portal_search.h"
 #include "tests/routing/free_space_graph.h"
 #include "tests/routing/random_floors.h"
 #include "tests/routing/route_matchers.h"
@@ -92,6 +93,26 @@ TEST(Exactness, aCampus) {
     test::FreeSpaceGraph truth(building, {});
     for (const auto& [from, to] : test::campusPairs(*building, 150))
         expectLeast(*planner, truth, *building, from, to, "campus");
+}
+
+TEST(Exactness, boundsChangeNothingButTheTime) {
+    for (std::uint32_t seed = 1; seed <= 3; ++seed) {
+        test::CampusOptions options;
+        options.regions = 1500;
+        options.seed = seed;
+        auto building = test::makeCampus(options);
+        RouteGraph graph(building, {});
+        PortalGraph portals(graph);
+        LandmarkBounds bounds(portals), none(portals, 0);
+        PortalSearch quick(portals, bounds), plain(portals, none);
+        for (const auto& [from, to] : test::campusPairs(*building, 500, seed)) {
+            auto start = graph.endpoint(from, "start"), goal = graph.endpoint(to, "goal");
+            auto found = quick.run(*start, *goal), truth = plain.run(*start, *goal);
+            ASSERT_TRUE(found && truth);
+            EXPECT_NEAR(found->seconds * 0.8, truth->seconds * 0.8, kMillimetre)
+                << seed << ": " << from.region.value << " to " << to.region.value;
+        }
+    }
 }
 
 } // namespace

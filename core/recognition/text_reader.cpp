@@ -1,97 +1,60 @@
 #include "core/recognition/text_reader.h"
 
-#include "core/base/log.h"
 #include "core/recognition/grey.h"
+#include "core/recognition/ink_lines.h"
+#include "core/recognition/line_picture.h"
+#include "core/recognition/line_reader.h"
 #include "core/recognition/rectangle_detector.h"
-#include "core/recognition/sharpness.h"
-#include "core/recognition/text_lines.h"
 
 #include <opencv2/imgproc.hpp>
-#include <tesseract/baseapi.h>
 
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <dlfcn.h>
-#include <sstream>
 
 namespace farol::recognition {
 
 namespace {
 
-/// Tesseract's own threads cost more than they bring for single lines (measured: a third of the time), and
-/// the cores are wanted elsewhere. It offers no switch; OpenMP does, for the calling thread.
-void oneOpenMpThread() {
-    using SetThreads = void (*)(int);
-    static const auto kSetThreads = reinterpret_cast<SetThreads>(dlsym(RTLD_DEFAULT, "omp_set_num_threads"));
-    if (kSetThreads != nullptr) kSetThreads(1);
+constexpr double kFrameShare = 0.05; // of a plate's height, cut off on every side with its edge
+
+Quad withoutEdge(const Quad& plate) {
+    ImageBox box = boundingBox(plate);
+    double share = box.width > 0.0 ? std::min(0.2, kFrameShare * box.height / box.width) : 0.0;
+    return drawnIn(plate, share, kFrameShare);
 }
 
-/// What Tesseract prints on stderr stands in our errors.
-bool init(tesseract::TessBaseAPI& api, const std::string& languages) {
-    std::vector<std::string> names{"debug_file"};
-    std::vector<std::string> values{"/dev/null"};
-    return api.Init(nullptr, languages.c_str(), tesseract::OEM_LSTM_ONLY, nullptr, 0, &names, &values,
-                    false) == 0;
+double coveredBy(const ImageBox& inner, const ImageBox& outer) {
+    double w = std::min(inner.x + inner.width, outer.x + outer.width) - std::max(inner.x, outer.x);
+    double h = std::min(inner.y + inner.height, outer.y + outer.height) - std::max(inner.y, outer.y);
+    return w > 0.0 && h > 0.0 ? w * h / std::max(1e-9, inner.area()) : 0.0;
 }
 
-std::vector<std::string> split(const std::string& languages) {
-    std::vector<std::string> out;
-    std::istringstream in(languages);
-    for (std::string one; std::getline(in, one, '+');)
-        if (!one.empty()) out.push_back(one);
-    return out;
+int digitsIn(const std::string& text) {
+    return static_cast<int>(std::count_if(
+        text.begin(), text.end(), [](char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }));
 }
 
-/// Letters and digits in UTF-8: each lead byte above ASCII counts as a letter.
-int letterCount(const std::string& text) {
-    return static_cast<int>(std::count_if(text.begin(), text.end(), [](char c) {
-        auto byte = static_cast<unsigned char>(c);
-        return byte >= 0xC0 || (byte < 0x80 && std::isalnum(byte) != 0);
-    }));
+constexpr int kLooks = 4;
+
+/// The same line in four ways.
+cv::Mat lookAt(const LinePicture& line, int look) {
+    if (look == 0) return line.soft;
+    if (look == 1) return line.picture;
+    cv::Mat other;
+    double scale = look == 2 ? 0.7 : 1.35;
+    cv::resize(line.soft, other, cv::Size(), scale, scale, look == 2 ? cv::INTER_AREA : cv::INTER_CUBIC);
+    return other;
 }
 
-/// Without what is not part of words at the ends: a frame's edge is read as a bar or a bracket.
-std::string trimmed(const std::string& word) {
-    static const std::string kStray = "|[]{}\\_~^`'\"*=<>";
-    std::size_t first = word.find_first_not_of(kStray);
-    std::size_t last = word.find_last_not_of(kStray);
-    return first == std::string::npos ? std::string() : word.substr(first, last - first + 1);
-}
-
-struct Reading {
-    std::string text;
-    double confidence = 0.0; ///< of the weakest word kept
-};
-
-struct Line {
-    Quad quad{};
-    cv::Mat picture; ///< dark on light
-};
-
-constexpr double kFrameShare = 0.07; // of a plate's height, cut off on every side with the frame's line
-
-ImagePoint between(const Quad& quad, double u, double v) {
-    auto mix = [](double a, double b, double t) { return a + (b - a) * t; };
-    return {mix(mix(quad[0].x, quad[1].x, u), mix(quad[3].x, quad[2].x, u), v),
-            mix(mix(quad[0].y, quad[1].y, u), mix(quad[3].y, quad[2].y, u), v)};
-}
-
-Quad part(const Quad& quad, double left, double top, double right, double bottom) {
-    return {between(quad, left, top), between(quad, right, top), between(quad, right, bottom),
-            between(quad, left, bottom)};
-}
-
-double heightOf(const Quad& quad) {
-    return (std::hypot(quad[0].x - quad[3].x, quad[0].y - quad[3].y) +
-            std::hypot(quad[1].x - quad[2].x, quad[1].y - quad[2].y)) /
-           2.0;
-}
-
-double widthOf(const Quad& quad) {
-    return (std::hypot(quad[0].x - quad[1].x, quad[0].y - quad[1].y) +
-            std::hypot(quad[3].x - quad[2].x, quad[3].y - quad[2].y)) /
-           2.0;
+/// A single letter or digit is told only from a mark that is nothing else: bars are read as 1, rings as 0.
+bool standsOnItsOwn(const LinePicture& line, const std::string& text) {
+    if (!line.alone) return false;
+    if (text.front() == '-') return line.glyphs == 2 && line.aspect < 2.0;
+    if (line.glyphs != 1) return false;
+    if (text == "1" || text == "I" || text == "l") return line.aspect > 0.4 && line.aspect < 0.9;
+    bool round = text == "0" || text == "O" || text == "o" || text == "Q" || text == "D";
+    return line.aspect > 0.4 && line.aspect < (round ? 0.9 : 1.05);
 }
 
 } // namespace
@@ -100,112 +63,129 @@ Result<void> TextReaderOptions::check() const {
     auto wrong = [](const std::string& message, const char* option) {
         return Error{ErrorCode::InvalidArgument, message, option};
     };
-    if (split(languages).empty()) return wrong("name at least one language, such as por+eng", "languages");
-    if (!(minConfidence >= 0.0 && minConfidence <= 100.0))
-        return wrong("a confidence lies between 0 and 100", "minConfidence");
+    auto isConfidence = [](double value) { return value >= 0.0 && value <= 100.0; };
+    if (languageNames(languages).empty())
+        return wrong("name at least one language, such as por+eng", "languages");
+    if (!isConfidence(minConfidence)) return wrong("a confidence lies between 0 and 100", "minConfidence");
+    if (!isConfidence(minWordConfidence))
+        return wrong("a confidence lies between 0 and 100", "minWordConfidence");
     if (!(minSharpness >= 0.0)) return wrong("must not be negative", "minSharpness");
+    if (!(minEdge >= 0.0)) return wrong("must not be negative", "minEdge");
+    if (!(minSteepness >= 0.0)) return wrong("must not be negative", "minSteepness");
     if (minLetters < 1) return wrong("at least one letter is wanted", "minLetters");
-    if (lineHeightPx < 16 || lineHeightPx > 512) return wrong("between 16 and 512 pixels", "lineHeightPx");
-    if (maxPlates < 1 || maxPlates > 1000) return wrong("between 1 and 1000", "maxPlates");
+    if (letterHeightPx < 16 || letterHeightPx > 256)
+        return wrong("between 16 and 256 pixels", "letterHeightPx");
+    if (maxLines < 1 || maxLines > 1000) return wrong("between 1 and 1000", "maxLines");
     return {};
 }
 
 struct TextReader::Engine {
     TextReaderOptions options;
-    tesseract::TessBaseAPI api;
+    Lexicon lexicon;
+    LineReader reader;
 
-    std::optional<Reading> readLine(const cv::Mat& line, double& confidence);
-    std::vector<Line> linesOfPlate(const cv::Mat& grey, const Quad& plate) const;
-    void readInto(const Line& line, ImageSize size, DetectorResult& result);
+    std::vector<LinePicture> linesIn(const cv::Mat& grey, const std::vector<Quad>& plates) const;
+    std::string whyNotWorthReading(const LinePicture& line, double& value) const;
+    std::string judged(const LinePicture& line, const LineReading& reading, std::string& text) const;
+    void readInto(const LinePicture& line, ImageSize size, DetectorResult& result);
 };
 
-/// The words of one line; empty when there is none that can be trusted. `confidence` then tells how far it
-/// fell short.
-std::optional<Reading> TextReader::Engine::readLine(const cv::Mat& line, double& confidence) {
-    cv::Mat framed;
-    int margin = options.lineHeightPx / 5;
-    cv::copyMakeBorder(line, framed, margin, margin, margin, margin, cv::BORDER_CONSTANT, cv::Scalar(255));
-    api.SetPageSegMode(tesseract::PSM_SINGLE_LINE);
-    api.SetImage(framed.data, framed.cols, framed.rows, 1, static_cast<int>(framed.step));
-    api.SetSourceResolution(300);
-    confidence = 0.0;
-    if (api.Recognize(nullptr) != 0) return std::nullopt;
-    std::unique_ptr<tesseract::ResultIterator> words(api.GetIterator());
-    Reading reading;
-    reading.confidence = 100.0;
-    bool weak = false;
-    if (!words) return std::nullopt;
-    do {
-        std::unique_ptr<char[]> text(words->GetUTF8Text(tesseract::RIL_WORD));
-        if (!text || letterCount(text.get()) == 0) continue; // strokes beside the text, read as punctuation
-        double sure = words->Confidence(tesseract::RIL_WORD);
-        reading.confidence = std::min(reading.confidence, sure);
-        weak = weak || sure < options.minConfidence;
-        reading.text += (reading.text.empty() ? "" : " ") + trimmed(text.get());
-    } while (words->Next(tesseract::RIL_WORD));
-    confidence = reading.text.empty() ? 0.0 : reading.confidence;
-    // A line of which one word is doubtful may mean something else altogether.
-    if (weak || letterCount(reading.text) < options.minLetters) return std::nullopt;
-    return reading;
-}
-
-std::vector<Line> TextReader::Engine::linesOfPlate(const cv::Mat& grey, const Quad& plate) const {
-    double height = heightOf(plate);
-    double width = widthOf(plate);
-    std::vector<Line> lines;
-    if (height < 8.0 || width < 8.0) return lines;
-    double cutX = std::min(0.2, kFrameShare * height / width);
-    Quad inner = part(plate, cutX, kFrameShare, 1.0 - cutX, 1.0 - kFrameShare);
-    int rows = std::clamp(static_cast<int>(height * 2.0), options.lineHeightPx, 4 * options.lineHeightPx);
-    cv::Mat flat = darkOnLight(rectified(grey, inner, rows));
-    for (const cv::Range& ink : inkRows(flat)) {
-        double pad = 0.25 * ink.size();
-        double top = std::max(0.0, (ink.start - pad) / flat.rows);
-        double bottom = std::min(1.0, (ink.end + pad) / flat.rows);
-        Line line;
-        line.quad = part(inner, 0.0, top, 1.0, bottom);
-        double asTall = (bottom - top) * flat.rows / ink.size();
-        line.picture = darkOnLight(
-            rectified(grey, line.quad, static_cast<int>(options.lineHeightPx * std::min(asTall, 1.5))));
+/// Lines of plates and lines in the open picture; of two that overlap, the longer one, as the other may be a
+/// part of it.
+std::vector<LinePicture> TextReader::Engine::linesIn(const cv::Mat& grey,
+                                                     const std::vector<Quad>& plates) const {
+    std::vector<LinePicture> lines;
+    auto add = [&](LinePicture line) {
+        ImageBox box = boundingBox(line.quad);
+        for (LinePicture& other : lines) {
+            ImageBox there = boundingBox(other.quad);
+            if (coveredBy(box, there) < 0.5 && coveredBy(there, box) < 0.5) continue;
+            if (box.width > there.width * 1.1 && box.height < there.height * 1.5) other = std::move(line);
+            return;
+        }
         lines.push_back(std::move(line));
-    }
+    };
+    auto most = static_cast<std::size_t>(options.maxLines) * 3;
+    std::vector<InkLine> open = inkLines(grey);
+    for (std::size_t i = 0; i < std::min(open.size(), most); ++i)
+        if (auto line = wholeLine(grey, open[i].quad, open[i].lightInk, options.letterHeightPx))
+            add(std::move(*line));
+    for (std::size_t i = 0; i < std::min(plates.size(), most); ++i)
+        for (LinePicture& line : linesOfPlate(grey, withoutEdge(plates[i]), options.letterHeightPx))
+            if (!line.cutLeft && !line.cutRight) add(std::move(line));
     return lines;
 }
 
-void TextReader::Engine::readInto(const Line& line, ImageSize size, DetectorResult& result) {
+/// A stable word, or nothing when the line may be read.
+std::string TextReader::Engine::whyNotWorthReading(const LinePicture& line, double& value) const {
+    value = line.contrast;
+    if (line.contrast < 20.0) return "low_contrast";
+    value = line.letterPx;
+    if (line.letterPx < 7.0) return "too_small";
+    value = line.sharpness * line.letterPx;
+    if (value < options.minEdge) return "blurred";
+    // Edges several pixels wide are a smear, however large the letters are.
+    value = line.sharpness;
+    if (value < options.minSteepness) return "blurred";
+    value = line.glyphs;
+    return line.glyphs < 1 || line.glyphs > 60 ? "no_letters" : "";
+}
+
+/// A stable word, or nothing when `text` may be told.
+std::string TextReader::Engine::judged(const LinePicture& line, const LineReading& reading,
+                                       std::string& text) const {
+    int letters = letterCount(reading.text);
+    if (letters == 0) return "no_letters";
+    if (letters == 1 && !standsOnItsOwn(line, reading.text)) return "lone_stroke";
+    // As many letters as there are pieces of ink; letters that touch may make fewer pieces, never more.
+    bool number = digitsIn(reading.text) == letters;
+    bool point = reading.text.find_first_of(".,-:") != std::string::npos;
+    if (number && line.glyphs > letters + (point ? 1 : 0)) return "lost_letter";
+    if (auto word = lexicon.meant(reading.text); word && reading.confidence >= options.minWordConfidence) {
+        text = *word;
+        return "";
+    }
+    text = reading.text;
+    if (reading.confidence < options.minConfidence) return "low_confidence";
+    bool capitals = std::none_of(text.begin(), text.end(), [](char c) { return c >= 'a' && c <= 'z'; });
+    if (letters < options.minLetters || (letters < 3 && !capitals)) return "too_short";
+    // A lost point turns 2.14 into another room. Points that stand among digits have to be in the reading.
+    return number && line.dots == 1 && !point ? "lost_point" : "";
+}
+
+void TextReader::Engine::readInto(const LinePicture& line, ImageSize size, DetectorResult& result) {
     Rejection rejection{"text", Kind::Text, {}, line.quad, "", 0.0};
-    double sharp = sharpness(line.picture);
-    if (sharp < options.minSharpness) {
-        rejection.reason = "blurred";
-        rejection.value = sharp;
+    auto reject = [&](const std::string& reason, double value) {
+        rejection.reason = reason;
+        rejection.value = value;
         result.rejections.push_back(rejection);
-        return;
-    }
+    };
+    // A digit that changes with how it is looked at is a guess, however sure Tesseract is of it: two of at
+    // most four looks have to agree.
+    std::string text, reason;
     double confidence = 0.0;
-    auto reading = readLine(line.picture, confidence);
-    if (!reading) {
-        rejection.reason = "low_confidence";
-        rejection.value = confidence;
-        result.rejections.push_back(rejection);
-        return;
+    std::vector<std::string> told;
+    for (int look = 0; look < kLooks; ++look) {
+        LineReading reading = reader.read(lookAt(line, look));
+        std::string one;
+        std::string why = judged(line, reading, one);
+        confidence = std::max(confidence, reading.confidence);
+        if (look == 0) reason = why;
+        if (look == kLooks - 2 && told.empty() && !why.empty()) break; // no two can agree any more
+        if (!why.empty()) continue;
+        if (std::find(told.begin(), told.end(), one) != told.end()) {
+            text = one;
+            break;
+        }
+        told.push_back(one);
     }
-    // A digit that changes with the size it is read at is a guess, however sure Tesseract is of it.
-    cv::Mat smaller;
-    cv::resize(line.picture, smaller, cv::Size(), 0.7, 0.7, cv::INTER_AREA);
-    double again = 0.0;
-    auto second = readLine(smaller, again);
-    if (!second || second->text != reading->text) {
-        rejection.reason = "unstable_reading";
-        rejection.value = again;
-        result.rejections.push_back(rejection);
-        return;
-    }
+    if (text.empty()) return reject(told.empty() ? reason : "unstable_reading", confidence);
     Detection detection;
     detection.kind = Kind::Text;
-    detection.text = reading->text;
+    detection.text = text;
     detection.quad = line.quad;
     detection.image = size;
-    detection.score = std::clamp(reading->confidence / 100.0, 0.0, 1.0);
+    detection.score = std::clamp(confidence / 100.0, 0.0, 1.0);
     result.detections.push_back(std::move(detection));
 }
 
@@ -216,53 +196,29 @@ TextReader& TextReader::operator=(TextReader&&) noexcept = default;
 
 Result<TextReader> TextReader::create(const TextReaderOptions& options) {
     if (auto checked = options.check(); !checked) return checked.error();
-    std::string usable, missing, packages;
-    for (const std::string& language : split(options.languages)) {
-        tesseract::TessBaseAPI probe;
-        bool there = init(probe, language);
-        probe.End();
-        std::string& list = there ? usable : missing;
-        list += (list.empty() ? "" : "+") + language;
-        if (!there) packages += " tesseract-ocr-" + language;
-    }
-    if (usable.empty())
-        return Error{ErrorCode::Unavailable,
-                     "text cannot be read: Tesseract has none of the languages " + missing + "; install" +
-                         packages,
-                     "languages"};
-    if (!missing.empty())
-        logWarning("Tesseract does not have " + missing + "; text is read as " + usable + " (install" +
-                   packages + ")");
-    auto engine = std::make_unique<Engine>();
-    engine->options = options;
-    if (!init(engine->api, usable))
-        return Error{ErrorCode::Unavailable, "Tesseract could not be started with the languages " + usable,
-                     "languages"};
-    return TextReader(std::move(engine));
+    auto reader = LineReader::create(options.languages);
+    if (!reader) return reader.error();
+    return TextReader(
+        std::make_unique<Engine>(Engine{options, Lexicon(options.words), std::move(reader).value()}));
 }
 
 DetectorResult TextReader::read(const cv::Mat& image, const std::vector<Quad>& plates) const {
     DetectorResult result;
     cv::Mat grey = greyOf(image);
-    if (grey.empty() || std::min(grey.cols, grey.rows) < 8) return result;
-    oneOpenMpThread();
+    if (grey.empty() || std::min(grey.cols, grey.rows) < 16) return result;
     std::vector<Quad> wanted = plates;
     if (plates.empty())
         for (const Detection& rectangle : detectRectangles(grey).detections) wanted.push_back(rectangle.quad);
-    auto limit = static_cast<std::size_t>(m_engine->options.maxPlates);
-    std::vector<Line> lines;
-    for (const Quad& line : plates.empty() ? lettersInLines(grey, std::max(3, m_engine->options.minLetters))
-                                           : std::vector<Quad>{})
-        if (lines.size() < limit)
-            lines.push_back(
-                {line, darkOnLight(rectified(grey, line, m_engine->options.lineHeightPx * 7 / 5))});
-    for (std::size_t i = 0; i < std::min(wanted.size(), limit); ++i)
-        for (Line& line : m_engine->linesOfPlate(grey, wanted[i])) lines.push_back(std::move(line));
-    for (const Line& line : lines) {
-        bool known = std::any_of(result.detections.begin(), result.detections.end(), [&](const Detection& d) {
-            return overlap(boundingBox(d.quad), boundingBox(line.quad)) > 0.3;
-        });
-        if (!known) m_engine->readInto(line, {grey.cols, grey.rows}, result);
+    int read = 0;
+    for (const LinePicture& line : m_engine->linesIn(grey, wanted)) {
+        double value = 0.0;
+        std::string reason = m_engine->whyNotWorthReading(line, value);
+        if (!reason.empty()) {
+            result.rejections.push_back({"text", Kind::Text, {}, line.quad, reason, value});
+        } else if (read < m_engine->options.maxLines) {
+            ++read;
+            m_engine->readInto(line, {grey.cols, grey.rows}, result);
+        }
     }
     return result;
 }

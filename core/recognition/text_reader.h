@@ -1,8 +1,10 @@
 #pragma once
-// Text on upright quads (paper section 3f) by Tesseract. No reading is better than a wrong one.
+// Text on upright quads and in open lines (paper section 3f) by Tesseract. No reading is better than a wrong
+// one: a line is read twice, and only what both readings agree on is told.
 
 #include "core/base/error.h"
 #include "core/recognition/detection.h"
+#include "core/recognition/lexicon.h"
 
 #include <opencv2/core.hpp>
 
@@ -15,10 +17,15 @@ namespace farol::recognition {
 struct TextReaderOptions {
     std::string languages = "por+eng"; ///< tessdata names; those not installed are left out with a warning
     double minConfidence = 80.0;       ///< Tesseract's, 0 to 100, of the weakest word kept
-    double minSharpness = 7.0;         ///< of one line as it is rectified; see sharpness.h
-    int minLetters = 2;
-    int lineHeightPx = 64; ///< a plate is rectified to this height a line
-    int maxPlates = 8;     ///< a frame
+    double minWordConfidence = 60.0;   ///< the same where the lexicon holds what was read
+    double minSharpness = 2.0;         ///< of a whole frame; see sharpness.h
+    double minEdge = 3.5;              ///< of a line's letters: their height over the width of their edges
+    double minSteepness = 0.25;        ///< of the letters' edges: 1 rises within one pixel
+    int minLetters = 2;                ///< of what the lexicon does not hold
+    int letterHeightPx = 48;           ///< letters are read at this height
+    int maxLines = 8;                  ///< read in one frame
+    /// What the map calls its places. Single letters and digits are told only when they stand here.
+    std::vector<std::string> words;
 
     Result<void> check() const;
 };
@@ -32,8 +39,8 @@ public:
     TextReader(TextReader&&) noexcept;
     TextReader& operator=(TextReader&&) noexcept;
 
-    /// Reads plates found by detectRectangles (or finds them itself when `plates` is empty). Detections of
-    /// kind Text.
+    /// Reads plates found by detectRectangles (or finds them itself when `plates` is empty), and lines of
+    /// letters anywhere. Detections of kind Text.
     DetectorResult read(const cv::Mat& image, const std::vector<Quad>& plates = {}) const;
 
 private:

@@ -139,9 +139,7 @@ void Perception::readText(const capture::Frame& frame, const recognition::Detect
     StopWatch watch;
     std::vector<Quad> plates;
     for (const recognition::Detection& board : boards.detections) plates.push_back(board.quad);
-    // Without a plate there is nothing to read: an empty list would make the reader look for plates once
-    // more.
-    if (!plates.empty()) append(percept, m_reader->read(frame.image, plates));
+    append(percept, m_reader->read(frame.image, plates));
     watch.lap(times.textMs);
 }
 

@@ -55,6 +55,7 @@ private:
     void doubt(double logUniform, double logBelief);
     void giveBirth(const Look& look, double mass);
     void normalise();
+    void embody();
     Fix summary(double time);
     void placeWithin(Fix& fix, std::uint32_t region) const;
     void addVotes(Fix& fix, const std::vector<std::uint32_t>& order) const;
@@ -142,7 +143,16 @@ void BayesLocaliser::step(double seconds) {
     m_cloud.scale(1.0 - carried);
     m_lost += carried * belief;
     normalise();
+    embody();
     m_cloud.renew();
+}
+
+/// Much weight without a walker: walkers all over the map take it, as they can follow what comes.
+void BayesLocaliser::embody() {
+    constexpr double kMuch = 0.3, kPart = 0.75;
+    if (m_lost < kMuch) return;
+    m_cloud.spread(m_cloud.capacity() / 2, kPart * m_lost, std::nullopt);
+    m_lost *= 1.0 - kPart;
 }
 
 void BayesLocaliser::normalise() {

@@ -17,8 +17,8 @@ struct WalkingOptions {
     double slowest = 0.35, fastest = 1.3;
     double stopRate = 0.036, goRate = 0.34;
     double followShare = 0.9;   ///< of walkers that go to the destination after it was told
-    double strayRate = 0.004;   ///< leaves the way
-    double strayAtNode = 0.02;  ///< takes another door than the right one
+    double strayRate = 0.008;   ///< leaves the way
+    double strayAtNode = 0.03;  ///< takes another door than the right one
     double returnRate = 0.05;   ///< finds back to the way
     double swaySigmaDeg = 24.0; ///< of the camera about the way of walking
     double lookShareGoing = 0.12, lookShareStanding = 0.5; ///< looks anywhere
@@ -34,14 +34,14 @@ struct BayesOptions {
     SensorOptions sensors;
     WalkingOptions walking;
     std::size_t walkers = 0;     ///< 0: by the size of the map
-    double trust = 0.8;          ///< exponent of a detection's likelihood ratio
+    double trust = 0.85;         ///< exponent of a detection's likelihood ratio
     double trustRepeated = 0.35; ///< of one like another in the last `repeatSeconds`
     double repeatSeconds = 4.0;
-    double missTrust = 0.33;      ///< exponent of what should have been seen and was not
-    double lostRate = 0.0007;     ///< per second: carried elsewhere, unseen
-    double blindLostRate = 0.012; ///< the same while the camera gives nothing
+    double missTrust = 0.33;     ///< exponent of what should have been seen and was not
+    double lostRate = 0.001;     ///< per second: carried elsewhere, unseen
+    double blindLostRate = 0.03; ///< the same while the camera gives nothing
     double startTrust = 0.97;
-    double resetAt = 4.0, resetShare = 0.3; ///< log evidence against the belief, and what is doubted then
+    double resetAt = 3.5, resetShare = 0.3; ///< log evidence against the belief, and what is doubted then
     bool useMotion = true;
     bool rawConfidence = false; ///< the bare shares, for making the table of confidences
     std::uint64_t seed = 0x5eedfa201ULL;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace farol::localisation {
 
@@ -17,7 +18,7 @@ float directionDeg(Spot from, Spot to) {
 }
 
 std::size_t walkersFor(std::size_t regions) {
-    return std::clamp<std::size_t>(1500 + 12 * regions, 2000, 5000);
+    return std::clamp<std::size_t>(800 + 11 * regions, 1200, 5000);
 }
 
 } // namespace
@@ -118,17 +119,24 @@ void WalkerCloud::chooseWay(Walker& walker) {
     constexpr float kDoubtM = 0.6F; // people do not measure
     if (walker.region == m_map->goalRegion() && m_map->straight(walker.region, walker.at, m_map->goalSpot()))
         return headFor(walker, Walker::kToSpot, m_map->goalSpot());
-    std::int32_t best = -1;
-    float least = WalkingMap::kUnreachable;
-    bool bent = m_map->bent(walker.region);
-    for (std::uint32_t n : m_map->nodesOf(walker.region)) {
-        const WalkingNode& node = m_map->nodes()[n];
+    auto nodes = m_map->nodesOf(walker.region);
+    m_weights.assign(nodes.size(), WalkingMap::kUnreachable);
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        const WalkingNode& node = m_map->nodes()[nodes[i]];
         float gap = gapBetween(walker.at, node.at);
-        if (node.across < 0 && gap < 0.05F) continue; // the corner one stands at
-        float cost = m_map->toGoal(n) + gap + kDoubtM * m_random.uniform();
-        if (cost >= least || (bent && !m_map->straight(walker.region, walker.at, node.at))) continue;
-        least = cost;
-        best = static_cast<std::int32_t>(n);
+        bool standsAtCorner = node.across < 0 && gap < 0.05F;
+        if (standsAtCorner || !m_map->leadsOn(nodes[i])) continue;
+        m_weights[i] = m_map->toGoal(nodes[i]) + gap + kDoubtM * m_random.uniform();
+    }
+    constexpr int kTries = 8; // sight lines cost time in regions with many corners: the nearest way first
+    std::int32_t best = -1;
+    for (int i = 0; i < kTries && best < 0; ++i) {
+        auto least = std::min_element(m_weights.begin(), m_weights.end());
+        if (least == m_weights.end() || *least >= WalkingMap::kUnreachable) break;
+        std::uint32_t candidate = nodes[static_cast<std::size_t>(least - m_weights.begin())];
+        if (m_map->straight(walker.region, walker.at, m_map->nodes()[candidate].at))
+            best = static_cast<std::int32_t>(candidate);
+        *least = WalkingMap::kUnreachable;
     }
     if (best < 0) {
         walker.follows = false;
@@ -139,37 +147,52 @@ void WalkerCloud::chooseWay(Walker& walker) {
     headFor(walker, best, {node.at.x + beside * node.along.x, node.at.y + beside * node.along.y});
 }
 
-void WalkerCloud::wander(Walker& walker, std::int32_t from) {
+/// How gladly a wanderer walks to each of some nodes of the region: ahead rather than back, near rather than
+/// far. The last weight is that of a spot in the region.
+float WalkerCloud::weighNodes(const Walker& walker, std::int32_t from) {
+    constexpr std::size_t kMost = 24; // of a region with very many doors, some by chance
     auto nodes = m_map->nodesOf(walker.region);
-    bool bent = m_map->bent(walker.region);
-    m_weights.assign(nodes.size() + 1, 0.0F);
+    std::size_t stride = nodes.size() / kMost + 1;
+    std::size_t first =
+        stride > 1 ? static_cast<std::size_t>(m_random.uniform() * static_cast<float>(stride)) : 0;
+    m_nodes.clear();
+    m_weights.clear();
     float sum = 0.0F;
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
+    for (std::size_t i = first; i < nodes.size(); i += stride) {
         const WalkingNode& node = m_map->nodes()[nodes[i]];
         float gap = gapBetween(walker.at, node.at);
         if (gap < 0.05F && node.across < 0) continue;
-        if (bent && !m_map->straight(walker.region, walker.at, node.at)) continue;
         float turn = wrappedDeg(directionDeg(walker.at, node.at) - walker.headingDeg) / kRadToDeg;
         float weight = std::exp(1.2F * (std::cos(turn) - 1.0F)) / (1.0F + 0.1F * gap);
         if (static_cast<std::int32_t>(nodes[i]) == from)
             weight = 0.06F; // straight back through the same door
-        m_weights[i] = weight;
+        m_nodes.push_back(nodes[i]);
+        m_weights.push_back(weight);
         sum += weight;
     }
     float inside = nodes.size() <= 1 || from < 0 ? 0.6F * std::max(sum, 0.1F) : 0.15F * sum;
-    m_weights.back() = inside + 1e-6F;
-    sum += m_weights.back();
-    float pick = m_random.uniform() * sum;
-    std::size_t chosen = 0;
-    while (chosen < nodes.size() && pick >= m_weights[chosen]) pick -= m_weights[chosen++];
-    if (chosen == nodes.size()) {
-        float u = m_random.uniform(), v = m_random.uniform();
-        return headFor(walker, Walker::kToSpot, m_map->spotIn(walker.region, u, v));
+    m_weights.push_back(inside + 1e-6F);
+    return sum + m_weights.back();
+}
+
+void WalkerCloud::wander(Walker& walker, std::int32_t from) {
+    float sum = weighNodes(walker, from);
+    constexpr int kTries = 4;
+    for (int i = 0; i < kTries; ++i) {
+        float pick = m_random.uniform() * sum;
+        std::size_t chosen = 0;
+        while (chosen < m_nodes.size() && pick >= m_weights[chosen]) pick -= m_weights[chosen++];
+        if (chosen == m_nodes.size()) break;
+        const WalkingNode& node = m_map->nodes()[m_nodes[chosen]];
+        if (m_map->straight(walker.region, walker.at, node.at)) {
+            float beside = node.halfWidthM * 0.5F * (2.0F * m_random.uniform() - 1.0F);
+            return headFor(walker, static_cast<std::int32_t>(m_nodes[chosen]),
+                           {node.at.x + beside * node.along.x, node.at.y + beside * node.along.y});
+        }
+        sum -= std::exchange(m_weights[chosen], 0.0F);
     }
-    const WalkingNode& node = m_map->nodes()[nodes[chosen]];
-    float beside = node.halfWidthM * 0.5F * (2.0F * m_random.uniform() - 1.0F);
-    headFor(walker, static_cast<std::int32_t>(nodes[chosen]),
-            {node.at.x + beside * node.along.x, node.at.y + beside * node.along.y});
+    float u = m_random.uniform(), v = m_random.uniform();
+    headFor(walker, Walker::kToSpot, m_map->spotIn(walker.region, u, v));
 }
 
 /// Straying is rare, but has to be represented: drawn oftener than it happens, and weighed down for it.
@@ -227,6 +250,10 @@ void WalkerCloud::climb(Walker& walker, float metres) {
     walker.climbTo = -1;
     walker.graceS = kGraceS;
     choose(walker, from);
+    // The next flight of stairs, or the same lift going on: no walk lies between.
+    constexpr float kLandingM = 2.5F;
+    bool goesOn = walker.node >= 0 && m_map->nodes()[static_cast<std::size_t>(walker.node)].changesLevel;
+    if (goesOn && gapBetween(walker.at, walker.target) < kLandingM) arrive(walker);
 }
 
 void WalkerCloud::walk(Walker& walker, float metres) {

@@ -63,6 +63,7 @@ public:
 private:
     void choose(Walker& walker, std::int32_t from);
     void chooseWay(Walker& walker);
+    float weighNodes(const Walker& walker, std::int32_t from);
     void wander(Walker& walker, std::int32_t from);
     void headFor(Walker& walker, std::int32_t node, Spot target);
     void changeMind(Walker& walker, double seconds);
@@ -78,7 +79,8 @@ private:
     Random m_random;
     std::size_t m_capacity;
     std::vector<Walker> m_walkers, m_next;
-    std::vector<float> m_weights;              ///< scratch of wander()
+    std::vector<std::uint32_t> m_nodes;        ///< scratch of wander()
+    std::vector<float> m_weights;              ///< scratch of wander() and chooseWay()
     std::vector<double> m_sums;                ///< scratch of renew()
     double m_speed = 0.0, m_speedSpread = 0.0; ///< of walkers yet to come: what is known of this user
     bool m_motionKnown = false;

@@ -16,9 +16,9 @@ using building::RegionKind;
 
 namespace {
 
-constexpr double kStairsM = 12.0, kLiftM = 14.0; // walking that takes as long as one level does
-constexpr double kCornerClearanceM = 0.35;       // people do not walk along the very wall
-constexpr double kConvexShare = 0.93;            // of the convex hull: alcoves do not bend a region
+constexpr double kDoorM = 0.3, kStairsM = 12.0, kLiftM = 14.0; // walking that takes as long as one level does
+constexpr double kCornerClearanceM = 0.35;                     // people do not walk along the very wall
+constexpr double kConvexShare = 0.93; // of the convex hull: alcoves do not bend a region
 constexpr std::size_t kMostCorners = 60;
 
 double crossAt(Point2 o, Point2 a, Point2 b) {
@@ -52,7 +52,7 @@ bool meetsRing(const Ring& ring, Point2 a, Point2 b) {
 
 double lengthOfCrossing(const Access& access) {
     if (access.kind == AccessKind::Stairs || access.kind == AccessKind::Escalator) return kStairsM;
-    return access.kind == AccessKind::Elevator ? kLiftM : 0.0;
+    return access.kind == AccessKind::Elevator ? kLiftM : kDoorM;
 }
 
 /// Where one stands when passing: the access itself, unless it lies far off the region (stairs whose ends are
@@ -201,6 +201,17 @@ bool WalkingMap::straight(std::uint32_t region, Spot a, Spot b) const {
     return contains(polygon, (p + q) * 0.5);
 }
 
+bool WalkingMap::nodesSee(std::uint32_t region, std::size_t i, std::size_t j) {
+    constexpr char kNotYet = 2;
+    if (m_bent[region] == 0 || i == j) return true;
+    auto nodes = nodesOf(region);
+    std::vector<char>& seen = m_sights[region];
+    if (seen.empty()) seen.assign(nodes.size() * nodes.size(), kNotYet);
+    char& known = seen[std::min(i, j) * nodes.size() + std::max(i, j)];
+    if (known == kNotYet) known = straight(region, m_nodes[nodes[i]].at, m_nodes[nodes[j]].at) ? 1 : 0;
+    return known != 0;
+}
+
 bool WalkingMap::inside(std::uint32_t region, Spot s) const {
     return contains(m_building->regions()[region].polygon, global(s));
 }
@@ -248,16 +259,25 @@ void WalkingMap::setGoal(std::uint32_t region, Spot spot) {
         open.pop();
         if (cost > m_toGoal[n]) continue;
         const WalkingNode& node = m_nodes[n];
-        for (std::uint32_t peer : nodesOf(node.region)) {
-            float next = cost + gapBetween(node.at, m_nodes[peer].at);
-            if (next < m_toGoal[peer] && straight(node.region, m_nodes[peer].at, node.at)) offer(peer, next);
+        auto peers = nodesOf(node.region);
+        auto self = static_cast<std::size_t>(std::lower_bound(peers.begin(), peers.end(), n) - peers.begin());
+        for (std::size_t i = 0; i < peers.size(); ++i) {
+            float next = cost + gapBetween(node.at, m_nodes[peers[i]].at);
+            if (next < m_toGoal[peers[i]] && nodesSee(node.region, self, i)) offer(peers[i], next);
         }
         // The way out of the other side leads here.
-        auto twin = static_cast<std::uint32_t>(n ^ 1U);
-        if (n < 2 * (m_nodes.size() / 2) && twin < m_nodes.size() &&
-            m_nodes[twin].across == static_cast<std::int32_t>(n))
+        std::uint32_t twin = n ^ 1U;
+        if (twin < m_nodes.size() && m_nodes[twin].across == static_cast<std::int32_t>(n))
             offer(twin, cost + m_nodes[twin].crossingM);
     }
+}
+
+bool WalkingMap::leadsOn(std::uint32_t node) const {
+    constexpr float kSlack = 0.01F;
+    std::int32_t across = m_nodes[node].across;
+    if (across < 0) return m_toGoal[node] < kUnreachable;
+    return m_toGoal[static_cast<std::size_t>(across)] + m_nodes[node].crossingM <= m_toGoal[node] + kSlack &&
+           m_toGoal[node] < kUnreachable;
 }
 
 void WalkingMap::clearGoal() {

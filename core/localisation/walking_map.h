@@ -10,6 +10,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <unordered_map>
 #include <vector>
 
 namespace farol::localisation {
@@ -59,11 +60,15 @@ public:
     /// Walking distance from each node to the spot; kUnreachable where there is no way. Thrown away when the
     /// goal is taken away.
     void setGoal(std::uint32_t region, Spot spot);
+    /// straight() between two nodes of a region, by their order in nodesOf(); remembered.
+    bool nodesSee(std::uint32_t region, std::size_t i, std::size_t j);
     void clearGoal();
     bool hasGoal() const { return m_goalRegion != kNoRegion; }
     std::uint32_t goalRegion() const { return m_goalRegion; }
     Spot goalSpot() const { return m_goalSpot; }
     float toGoal(std::uint32_t node) const { return m_toGoal[node]; }
+    /// Does the way to the goal pass on through that node? Else it leads back.
+    bool leadsOn(std::uint32_t node) const;
 
 private:
     void addAccess(const building::Access& access, std::uint32_t a, std::uint32_t b);
@@ -76,6 +81,7 @@ private:
     std::vector<WalkingNode> m_nodes;
     std::vector<std::uint32_t> m_firstNode, m_nodeOfRegion; ///< compressed rows
     std::vector<char> m_bent;
+    std::unordered_map<std::uint32_t, std::vector<char>> m_sights; ///< node sees node, of bent regions
     std::vector<Spot> m_middles;
     std::vector<double> m_weightsUpTo;
     std::vector<float> m_toGoal;

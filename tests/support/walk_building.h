@@ -1,0 +1,21 @@
+#pragma once
+// Buildings of our own to tune and measure localisation on: a straight corridor, a ring, two wings at a hall,
+// rooms about a hall; several levels, turned by any angle. The same options give the same building.
+
+#include "core/building/building.h"
+
+#include <cstdint>
+
+namespace farol::test {
+
+enum class Archetype { Corridor, Ring, Wings, Hall };
+
+struct WalkBuildingOptions {
+    Archetype archetype = Archetype::Corridor;
+    int density = 1; ///< of landmarks: 0 sparse, 1 medium, 2 dense
+    std::uint64_t seed = 1;
+};
+
+building::BuildingData walkBuildingData(const WalkBuildingOptions& options);
+
+} // namespace farol::test

@@ -208,7 +208,7 @@ void BayesLocaliser::doubt(double logUniform, double logBelief) {
 }
 
 void BayesLocaliser::giveBirth(const Look& look, double mass) {
-    constexpr std::size_t kMost = 250, kFewest = 40;
+    constexpr std::size_t kMost = 200, kFewest = 40;
     if (mass < 1e-7) return;
     auto wanted = static_cast<std::size_t>(mass * static_cast<double>(m_cloud.capacity()));
     std::size_t count = std::clamp(wanted, kFewest, kMost), born = 0, first = m_cloud.walkers().size();

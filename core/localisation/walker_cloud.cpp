@@ -18,7 +18,7 @@ float directionDeg(Spot from, Spot to) {
 }
 
 std::size_t walkersFor(std::size_t regions) {
-    return std::clamp<std::size_t>(800 + 11 * regions, 1200, 5000);
+    return std::clamp<std::size_t>(600 + 10 * regions, 1000, 4200);
 }
 
 } // namespace

@@ -22,7 +22,7 @@ struct WalkingOptions {
     double returnRate = 0.05;   ///< finds back to the way
     double swaySigmaDeg = 24.0; ///< of the camera about the way of walking
     double lookShareGoing = 0.12, lookShareStanding = 0.5; ///< looks anywhere
-    double turnSigmaDeg = 2.0;                             ///< of a measured turn
+    double turnSigmaDeg = 3.0;                             ///< of a measured turn
     double unknownTurnSigmaDeg = 35.0;
     double distanceSigma = 0.12; ///< of a measured speed, as a share
     double headingTrust = 0.35;  ///< exponent: the sway of one second resembles that of the next
@@ -34,7 +34,7 @@ struct BayesOptions {
     SensorOptions sensors;
     WalkingOptions walking;
     std::size_t walkers = 0;     ///< 0: by the size of the map
-    double trust = 0.85;         ///< exponent of a detection's likelihood ratio
+    double trust = 0.8;          ///< exponent of a detection's likelihood ratio
     double trustRepeated = 0.35; ///< of one like another in the last `repeatSeconds`
     double repeatSeconds = 4.0;
     double missTrust = 0.33;     ///< exponent of what should have been seen and was not

@@ -298,6 +298,8 @@ void WalkerCloud::turn(Walker& walker, const MotionSpan& motion, bool moving) {
     walker.graceS = std::max(0.0F, walker.graceS - seconds);
     auto sway = static_cast<float>(walking.swaySigmaDeg * walking.swaySigmaDeg);
     if (walker.yawVariance > kYawUnknown) {
+        // Who stands may look anywhere, and at the start mostly does.
+        if (!moving || walker.climbTo >= 0 || walker.graceS > 0.0F) return;
         walker.yawDeg = wrappedDeg(walker.headingDeg + std::sqrt(sway) * m_random.normal());
         walker.yawVariance = sway;
         return;

@@ -73,7 +73,7 @@ void removeWithSidecars(const fs::path& file) {
 
 /// What programs of this machine left that were killed in the middle of a save.
 void sweep(const fs::path& target) {
-    std::string mark = savingMark(target), extension = target.extension().string();
+    std::string mark = savingMark(target);
     fs::path folder = target.parent_path().empty() ? fs::path(".") : target.parent_path();
     std::error_code failure;
     std::vector<fs::path> stale;
@@ -82,8 +82,8 @@ void sweep(const fs::path& target) {
         if (name.rfind(mark, 0) != 0) continue;
         int process = 0;
         auto [rest, wrong] = std::from_chars(name.data() + mark.size(), name.data() + name.size(), process);
-        bool ours =
-            wrong == std::errc() && process > 0 && *rest == '-' && at->path().extension() == extension;
+        // A program killed while it swept may have left a journal alone: endings do not matter.
+        bool ours = wrong == std::errc() && process > 0 && *rest == '-';
         if (ours && ::kill(process, 0) != 0 && errno == ESRCH) stale.push_back(at->path());
     }
     for (const fs::path& file : stale) removeWithSidecars(file);

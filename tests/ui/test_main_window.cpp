@@ -4,14 +4,16 @@
 #include "core/building/geopackage.h"
 #include "tests/ui/hand_made.h"
 #include "ui/convert/convert.h"
-#include "ui/parts/banner.h"
+#include "ui/curation/map_actions.h"
+#include "ui/curation/plan_panel.h"
 #include "ui/live/frame_panel.h"
 #include "ui/live/map_panel.h"
-#include "ui/parts/place_chooser.h"
 #include "ui/main_window/main_window.h"
 #include "ui/main_window/settings_dialog.h"
 #include "ui/main_window/source_dialog.h"
 #include "ui/main_window/window_actions.h"
+#include "ui/parts/banner.h"
+#include "ui/parts/place_chooser.h"
 
 #include <QAbstractButton>
 #include <QAbstractScrollArea>
@@ -22,12 +24,14 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QMenuBar>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QScrollBar>
 #include <QSet>
 #include <QSignalSpy>
 #include <QSplitterHandle>
 #include <QTabBar>
+#include <QTabWidget>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -54,8 +58,13 @@ private Q_SLOTS:
     void tabGoesRound();
     void dialogsHaveNames();
     void theVoiceIsTurnedOff();
+    void theMapPageHasNames();
+    void tabGoesRoundTheMapPage();
+    void keysBelongToThePageThatIsShown();
+    void closingAsksForUnsavedChanges();
 
 private:
+    void showMapPage();
     StartOptions options() const;
     QString banner(Problem kind) const;
     void make(std::uint64_t frames = 4, double period = 0.05);
@@ -330,6 +339,95 @@ void MainWindowTest::theVoiceIsTurnedOff() {
     QVERIFY(m_settings->muted());
     m_settings->setMuted(false);
     QVERIFY(!m_window->actions().mute->isChecked());
+}
+
+void MainWindowTest::showMapPage() {
+    StartOptions start;
+    start.edit = m_map;
+    m_window->show();
+    m_window->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+    m_window->begin(start);
+    QTRY_VERIFY_WITH_TIMEOUT(m_window->mapPage().document().building() != nullptr, 60000);
+    QVERIFY(m_window->showsMap());
+}
+
+void MainWindowTest::theMapPageHasNames() {
+    showMapPage();
+    for (const QString& language : {QStringLiteral("en"), QStringLiteral("pt")}) {
+        m_settings->setLanguage(language);
+        for (int tab = 0; tab < m_window->mapPage().tabs().count(); ++tab) {
+            m_window->mapPage().tabs().setCurrentIndex(tab);
+            QCOMPARE(nameless(*m_window).join(QStringLiteral(", ")), QString());
+        }
+        QSet<QString> keys;
+        for (const QAction* action : m_window->mapPage().actions().withKeys()) {
+            const QString key = action->shortcut().toString();
+            QVERIFY2(!keys.contains(key), qPrintable(key));
+            keys << key;
+            QVERIFY(!action->text().isEmpty() && !action->toolTip().isEmpty());
+        }
+    }
+    m_settings->setLanguage(QStringLiteral("en"));
+    QVERIFY(m_window->windowTitle().contains(QLatin1String("Hand-made house")));
+}
+
+void MainWindowTest::tabGoesRoundTheMapPage() {
+    showMapPage();
+    for (int tab = 0; tab < m_window->mapPage().tabs().count(); ++tab) {
+        m_window->mapPage().tabs().setCurrentIndex(tab);
+        QWidget* first = &m_window->mapPage().plan().view();
+        first->setFocus();
+        QSet<QWidget*> visited;
+        for (int i = 0; i < 80; ++i) {
+            QWidget* focus = QApplication::focusWidget();
+            QVERIFY(focus);
+            if (i > 0 && focus == first) break;
+            QVERIFY2(!visited.contains(focus), focus->metaObject()->className());
+            visited << focus;
+            QTest::keyClick(focus, Qt::Key_Tab);
+        }
+        QCOMPARE(QApplication::focusWidget(), first);
+        QVERIFY(visited.contains(m_window->mapPage().tabs().tabBar()));
+        for (QWidget* pane : m_window->mapPage().panes()) QVERIFY(visited.contains(pane));
+    }
+    m_window->actions().nextPane->trigger();
+    QVERIFY(QApplication::focusWidget() != &m_window->mapPage().plan().view());
+}
+
+void MainWindowTest::keysBelongToThePageThatIsShown() {
+    showMapPage();
+    MapView& plan = m_window->mapPage().plan().view();
+    plan.setFocus();
+    const double before = plan.viewTransform().pixelsPerMetre();
+    QTest::keyClick(&plan, Qt::Key_Plus, Qt::ControlModifier);
+    QVERIFY(plan.viewTransform().pixelsPerMetre() > before);
+    QTest::keyClick(&plan, Qt::Key_F, Qt::ControlModifier); // the table's search, not following
+    QVERIFY(qobject_cast<QLineEdit*>(QApplication::focusWidget()));
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_1, Qt::ControlModifier);
+    QVERIFY(!m_window->showsMap());
+    QVERIFY(m_window->actions().follow->isEnabled());
+    QTest::keyClick(m_window.get(), Qt::Key_2, Qt::ControlModifier);
+    QVERIFY(m_window->showsMap());
+    QCOMPARE(QApplication::focusWidget(), &plan);
+}
+
+void MainWindowTest::closingAsksForUnsavedChanges() {
+    showMapPage();
+    MapPage& page = m_window->mapPage();
+    page.plan().view().select(MapHit{MapHit::What::Landmark, 0}, true);
+    QTest::keyClick(&page.plan().view(), Qt::Key_Delete);
+    QVERIFY(m_window->isWindowModified());
+    QVERIFY(!m_window->close());
+    const auto question = [] { return qobject_cast<QMessageBox*>(QApplication::activeModalWidget()); };
+    QTRY_VERIFY(question());
+    QTest::keyClick(question(), Qt::Key_Escape);
+    QTRY_VERIFY(!question());
+    QVERIFY(m_window->isVisible());
+    QVERIFY(!m_window->close());
+    QTRY_VERIFY(question());
+    QTest::mouseClick(question()->button(QMessageBox::Discard), Qt::LeftButton);
+    QTRY_VERIFY(!m_window->isVisible());
 }
 
 } // namespace farol::ui

@@ -178,6 +178,7 @@ void RoutePanel::summarise() {
         text = tr("Choose where the route begins and ends, here or by the menu of a place on the plan.");
     m_summary->setText(text);
     m_summary->setAccessibleName(text);
+    m_summary->setToolTip(text);
 }
 
 void RoutePanel::retranslate() {

@@ -85,7 +85,7 @@ Perception::Perception(std::shared_ptr<const recognition::LandmarkLibrary> libra
     if (m_options.landmarks && hasViews(library.get())) {
         m_recogniser.emplace(std::move(library), m_options.recogniser);
     } else if (m_options.landmarks) {
-        warnings.emplace_back("no landmarks were taught: only doors and texts are recognised; open a library "
+        warnings.emplace_back("no trained landmarks: only doors and texts are recognised; open a library "
                               "of landmarks to recognise more");
     }
     if (!m_options.text) return;

@@ -10,8 +10,17 @@ namespace farol::routing {
 namespace {
 
 constexpr double kTouch = 1e-6;
-/// Looking through opening after opening ends after so many, in maps made to have no end of them.
-constexpr std::size_t kMostLooks = 200000;
+/// Looking through opening after opening ends after so many: where areas overlap, every two of them joined,
+/// there would be no end of it. A way not seen is then walked past a bend, a little longer, never through a
+/// wall.
+constexpr std::size_t kMostLooks = 400;
+
+/// How far away along a direction the line through a and b is; empty when they run alike.
+std::optional<double> depthAlong(Point2 from, Point2 direction, Point2 a, Point2 b) {
+    double turn = farol::cross(direction, b - a);
+    if (std::abs(turn) <= 1e-12 * length(direction) * distance(a, b)) return std::nullopt;
+    return farol::cross(a - from, b - a) / turn;
+}
 
 /// Where the line from `from` to `to` meets a-b, as a part of the way; empty when it misses it or runs along.
 std::optional<double> meeting(Point2 from, Point2 to, Point2 a, Point2 b) {
@@ -138,6 +147,17 @@ bool OpenZone::reaches(Slot start, Point2 from, const Chain& chain, Point2 to) c
     return m_places[slot].space->clear(at, to);
 }
 
+/// Is the opening nearer than the one looked through before, all over the beam? Where areas overlap, looking
+/// back and forth through their openings would have no end.
+bool OpenZone::liesBefore(Point2 from, const Beam& beam, const Link& link, const Link& before) {
+    for (Point2 edge : {beam.right, beam.left}) {
+        auto here = depthAlong(from, edge, link.a, link.b),
+             there = depthAlong(from, edge, before.a, before.b);
+        if (!here || !there || *here >= *there - 1e-9 * std::abs(*there)) return false;
+    }
+    return true;
+}
+
 template <class Visit>
 void OpenZone::lookOn(Slot start, Slot slot, Point2 from, const Beam& beam, Chain& chain, std::size_t& left,
                       const Visit& visit) const {
@@ -152,6 +172,7 @@ void OpenZone::lookOn(Slot start, Slot slot, Point2 from, const Beam& beam, Chai
             continue;
         Beam inside;
         if (!narrowed(beam, from, link, inside)) continue;
+        if (!chain.empty() && liesBefore(from, inside, link, m_links[chain.back()])) continue;
         chain.push_back(number);
         lookOn(start, otherSide(link, slot), from, inside, chain, left, visit);
         chain.pop_back();

@@ -106,6 +106,7 @@ private:
     std::vector<Hop> placesAt(Slot slot, Point2 position) const;
     static bool narrowed(const Beam& beam, Point2 from, const Link& link, Beam& inside);
     static bool within(const Beam& beam, Point2 direction);
+    static bool liesBefore(Point2 from, const Beam& beam, const Link& link, const Link& before);
     bool reaches(Slot start, Point2 from, const Chain& chain, Point2 to) const;
     template <class Visit>
     void look(Slot slot, Point2 from, const Visit& visit) const;

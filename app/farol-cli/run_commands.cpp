@@ -177,7 +177,8 @@ void addRun(CLI::App& app, int& exitCode) {
         ->check(CLI::Range(0.01, 1000.0));
     command->add_option("--from", options->from, "Where the walk starts, if that is known (WHERE)");
     command->add_option("--to", options->to, "Destination (WHERE)");
-    command->add_option("--localiser", options->localiser, "voting, voting-literal or bayes")->capture_default_str();
+    command->add_option("--localiser", options->localiser, "voting, voting-literal or bayes")
+        ->capture_default_str();
     command
         ->add_option("--verbosity", options->verbosity,
                      "What is told: directions, objects (too), texts (too)")

@@ -2,11 +2,11 @@
 
 #include "tests/ui/hand_made.h"
 #include "ui/convert/kind_style.h"
-#include "ui/parts/banner.h"
 #include "ui/live/frame_panel.h"
 #include "ui/live/instruction_panel.h"
 #include "ui/live/live_page.h"
 #include "ui/live/map_panel.h"
+#include "ui/parts/banner.h"
 #include "ui/parts/place_chooser.h"
 
 #include <QAbstractItemView>

@@ -2,8 +2,8 @@
 
 #include "ui/convert/convert.h"
 #include "ui/convert/kind_style.h"
-#include "ui/parts/tables.h"
 #include "ui/models/words.h"
+#include "ui/parts/tables.h"
 
 #include <QEvent>
 #include <QGridLayout>

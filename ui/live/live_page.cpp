@@ -1,10 +1,10 @@
 #include "ui/live/live_page.h"
 
 #include "ui/convert/convert.h"
-#include "ui/parts/banner.h"
 #include "ui/live/frame_panel.h"
 #include "ui/live/instruction_panel.h"
 #include "ui/live/map_panel.h"
+#include "ui/parts/banner.h"
 #include "ui/parts/place_chooser.h"
 #include "ui/parts/tables.h"
 

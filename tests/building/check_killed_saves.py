@@ -3,8 +3,9 @@
 
   check_killed_saves.py SAVE_LOOP FAROL_CLI WORK_FOLDER [KILLS]
 
-Each kill (SIGKILL) comes at a moment drawn evenly from the measured length of one save. Afterwards the file must be
-the map before or the map after that save, whole: every row of one version, sound to SQLite, readable for farol-cli.
+Each kill (SIGKILL) comes at a moment drawn evenly from one and a half times the measured length of a save: the new file
+takes the old one's place at the very end, a save after a killed one takes longer, and that moment has to be among those
+drawn. Afterwards the file must be the map before or a map after that save, whole: every row of one version, sound to SQLite, readable for farol-cli.
 The next save begins from what was left, so what killed programs leave behind must not disturb it either.
 """
 import json
@@ -76,7 +77,7 @@ def main():
         before = version_in(path)
         saver = Saver(program, path)
         version, begun = saver.next("begin")
-        moment = begun + chance.random() * length
+        moment = begun + chance.random() * 1.5 * length
         while time.monotonic() < moment:
             pass
         more, done = saver.kill()

@@ -24,6 +24,18 @@ bool isRepeat(const Observation& old, const Observation& seen, double duplicateO
     return overlap(boundingBox(old.detection.quad), boundingBox(seen.detection.quad)) > duplicateOverlap;
 }
 
+/// The same track is the same object, wherever the picture has moved it meanwhile.
+bool sameTrack(const Observation& old, const Observation& seen) {
+    return old.track && seen.track && *old.track == *seen.track;
+}
+
+/// Other than `seen`, this one is in view right now under a track of its own: two extinguishers side by side.
+bool seenBeside(const Observation& old, const Observation& seen, const std::vector<Observation>& now) {
+    if (!old.track || !seen.track || sameTrack(old, seen)) return false;
+    return std::any_of(now.begin(), now.end(),
+                       [&](const Observation& other) { return sameTrack(old, other); });
+}
+
 /// The old one stays where it is in the queue, with the newest box and the better score (field.md ambiguity
 /// 11).
 void refresh(Observation& old, const Observation& seen) {
@@ -60,13 +72,19 @@ NavigationHistory::NavigationHistory(HistoryOptions options) : m_options(options
 std::vector<Observation> NavigationHistory::add(const std::vector<Observation>& seen) {
     std::vector<Observation> fresh;
     for (const Observation& observation : seen) {
-        auto repeated = std::find_if(m_items.begin(), m_items.end(), [&](const Observation& old) {
-            return isRepeat(old, observation, m_options.duplicateOverlap);
-        });
+        auto repeated = std::find_if(m_items.begin(), m_items.end(),
+                                     [&](const Observation& old) { return sameTrack(old, observation); });
+        if (repeated == m_items.end())
+            repeated = std::find_if(m_items.begin(), m_items.end(), [&](const Observation& old) {
+                return !seenBeside(old, observation, seen) &&
+                       isRepeat(old, observation, m_options.duplicateOverlap);
+            });
+        bool counted = !rememberTrack(observation);
         if (repeated != m_items.end()) {
             refresh(*repeated, observation);
             continue;
         }
+        if (counted) continue;
         // A place come back to counts once, as the newest.
         m_items.erase(std::remove_if(m_items.begin(), m_items.end(),
                                      [&](const Observation& old) { return samePlace(old, observation); }),
@@ -78,8 +96,19 @@ std::vector<Observation> NavigationHistory::add(const std::vector<Observation>& 
     return fresh;
 }
 
+/// False: this track has been counted already, though newer objects may have pushed it out since.
+bool NavigationHistory::rememberTrack(const Observation& seen) {
+    constexpr std::size_t kTracksRemembered = 256;
+    if (!seen.track) return true;
+    if (std::find(m_tracks.begin(), m_tracks.end(), *seen.track) != m_tracks.end()) return false;
+    m_tracks.push_back(*seen.track);
+    if (m_tracks.size() > kTracksRemembered) m_tracks.pop_front();
+    return true;
+}
+
 void NavigationHistory::clear() {
     m_items.clear();
+    m_tracks.clear();
 }
 
 } // namespace farol::localisation

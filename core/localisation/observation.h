@@ -4,6 +4,7 @@
 #include "core/recognition/detection.h"
 
 #include <cstdint>
+#include <optional>
 
 namespace farol::localisation {
 
@@ -13,6 +14,10 @@ struct Observation {
     double time = 0.0;
     std::uint64_t frame = 0;
     int scene = 0;
+    /// The thing that is followed from frame to frame: observations of one track are one object seen again,
+    /// not two pieces of evidence. Empty where nothing is followed (logs without it).
+    std::optional<std::uint64_t> track = std::nullopt;
+    int confirmations = 1; ///< how often recognition had seen it by then
 };
 
 } // namespace farol::localisation

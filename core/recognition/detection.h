@@ -7,6 +7,7 @@
 #include "core/base/kind.h"
 #include "core/base/zone.h"
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,6 +25,9 @@ struct Detection {
     int inliers = 0;    ///< matched keypoints that fit; 0 where that has no meaning
     std::optional<double> rangeM;
     std::optional<Radians> bearing;
+    /// Which of the things that are followed from frame to frame it is (landmark_tracker.h); 0: not followed.
+    std::uint64_t track = 0;
+    int confirmations = 1; ///< how often recognition has seen this thing, this time included
 
     Zone zone() const { return zoneOf(boundingBox(quad).centre(), image); }
 };

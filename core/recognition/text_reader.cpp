@@ -203,20 +203,32 @@ Result<TextReader> TextReader::create(const TextReaderOptions& options) {
 }
 
 DetectorResult TextReader::read(const cv::Mat& image, const std::vector<Quad>& plates) const {
+    TextPlaces places;
+    if (!plates.empty()) places.plates = plates;
+    return readAt(image, places);
+}
+
+DetectorResult TextReader::readAt(const cv::Mat& image, const TextPlaces& places) const {
     DetectorResult result;
     cv::Mat grey = greyOf(image);
     if (grey.empty() || std::min(grey.cols, grey.rows) < 16) return result;
-    std::vector<Quad> wanted = plates;
-    if (plates.empty())
+    std::vector<Quad> wanted = places.plates.value_or(std::vector<Quad>{});
+    if (!places.plates)
         for (const Detection& rectangle : detectRectangles(grey).detections) wanted.push_back(rectangle.quad);
-    int read = 0;
+    auto isKnown = [&](const LinePicture& line) {
+        ImageBox box = boundingBox(line.quad);
+        return std::any_of(places.known.begin(), places.known.end(),
+                           [&](const Quad& known) { return coveredBy(box, boundingBox(known)) > 0.5; });
+    };
+    int left = places.maxLines.value_or(m_engine->options.maxLines);
     for (const LinePicture& line : m_engine->linesIn(grey, wanted)) {
+        if (isKnown(line)) continue;
         double value = 0.0;
         std::string reason = m_engine->whyNotWorthReading(line, value);
         if (!reason.empty()) {
             result.rejections.push_back({"text", Kind::Text, {}, line.quad, reason, value});
-        } else if (read < m_engine->options.maxLines) {
-            ++read;
+        } else if (left > 0) {
+            --left;
             m_engine->readInto(line, {grey.cols, grey.rows}, result);
         }
     }

@@ -9,6 +9,7 @@
 #include <opencv2/core.hpp>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,13 @@ struct TextReaderOptions {
     Result<void> check() const;
 };
 
+/// Where to look, and what need not be read.
+struct TextPlaces {
+    std::optional<std::vector<Quad>> plates; ///< empty: the reader finds rectangles itself
+    std::vector<Quad> known;                 ///< lines here are left out
+    std::optional<int> maxLines;             ///< instead of the option
+};
+
 /// One per thread (Tesseract keeps state).
 class TextReader {
 public:
@@ -42,6 +50,7 @@ public:
     /// Reads plates found by detectRectangles (or finds them itself when `plates` is empty), and lines of
     /// letters anywhere. Detections of kind Text.
     DetectorResult read(const cv::Mat& image, const std::vector<Quad>& plates = {}) const;
+    DetectorResult readAt(const cv::Mat& image, const TextPlaces& places) const;
 
 private:
     struct Engine;

@@ -52,6 +52,10 @@ Json detectionJson(const Percept& percept, const recognition::Detection& detecti
     json["range_m"] = detection.rangeM ? printedNumber(*detection.rangeM) : Json(nullptr);
     json["bearing_deg"] = detection.bearing ? degreesJson(*detection.bearing) : Json(nullptr);
     json["zone"] = zoneName(detection.zone());
+    if (detection.track != 0) {
+        json["track"] = detection.track;
+        json["confirmations"] = detection.confirmations;
+    }
     Json quad = Json::array();
     for (ImagePoint corner : detection.quad) quad.push_back(pointJson(corner.x, corner.y));
     json["quad"] = std::move(quad);

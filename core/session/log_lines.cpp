@@ -47,6 +47,9 @@ Result<LogLine> readDetection(JsonFields& fields, double time) {
     detection.rangeM = fields.optionalNumber("range_m");
     if (detection.rangeM && *detection.rangeM < 0.0) fields.complain("\"range_m\" is negative");
     if (auto bearing = fields.optionalNumber("bearing_deg")) detection.bearing = fromDegrees(*bearing);
+    detection.track = static_cast<std::uint64_t>(fields.integerOr("track", 0, kMostFrames, 0));
+    detection.confirmations =
+        static_cast<int>(fields.integerOr("confirmations", 0, std::numeric_limits<int>::max(), 1));
     line.percept.time = time;
     line.frameGiven = fields.has("frame");
     line.percept.frame = static_cast<std::uint64_t>(fields.integerOr("frame", 0, kMostFrames, 0));

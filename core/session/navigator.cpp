@@ -22,8 +22,12 @@ makePlanner(const std::shared_ptr<const building::Building>& building, const Nav
 std::vector<localisation::Observation> observationsOf(const Percept& percept) {
     std::vector<localisation::Observation> seen;
     seen.reserve(percept.detections.size());
-    for (const recognition::Detection& detection : percept.detections)
-        seen.push_back({detection, percept.time, percept.frame, percept.scene});
+    for (const recognition::Detection& detection : percept.detections) {
+        localisation::Observation one{detection, percept.time, percept.frame, percept.scene};
+        if (detection.track != 0) one.track = detection.track;
+        one.confirmations = detection.confirmations;
+        seen.push_back(std::move(one));
+    }
     return seen;
 }
 

@@ -9,6 +9,7 @@ namespace farol::session {
 namespace {
 
 constexpr std::int64_t kMostInt = std::numeric_limits<int>::max();
+constexpr std::int64_t kMostTracks = std::numeric_limits<std::int64_t>::max();
 
 Json exactQuad(const Quad& quad) {
     Json json = Json::array();
@@ -48,6 +49,8 @@ Json detectionJson(const recognition::Detection& detection) {
     if (detection.inliers != 0) json["inliers"] = detection.inliers;
     if (detection.rangeM) json["range_m"] = exactNumber(*detection.rangeM);
     if (detection.bearing) json["bearing_rad"] = exactNumber(detection.bearing->value);
+    if (detection.track != 0) json["track"] = detection.track;
+    if (detection.confirmations != 1) json["confirmations"] = detection.confirmations;
     return json;
 }
 
@@ -62,6 +65,8 @@ recognition::Detection detectionFrom(JsonFields& fields) {
     detection.inliers = static_cast<int>(fields.integerOr("inliers", 0, kMostInt, 0));
     detection.rangeM = fields.optionalNumber("range_m");
     if (auto bearing = fields.optionalNumber("bearing_rad")) detection.bearing = Radians{*bearing};
+    detection.track = static_cast<std::uint64_t>(fields.integerOr("track", 0, kMostTracks, 0));
+    detection.confirmations = static_cast<int>(fields.integerOr("confirmations", 0, kMostInt, 1));
     return detection;
 }
 

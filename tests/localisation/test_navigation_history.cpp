@@ -93,6 +93,60 @@ TEST(NavigationHistory, OtherWordsAtTheSameSpotAreAnotherObject) {
     EXPECT_EQ(history.add({at(seen(Kind::Text, {}, "2.15"), 2, 0)}).size(), 1U);
 }
 
+Observation followed(const recognition::Detection& detection, std::uint64_t frame, int scene,
+                     std::uint64_t track) {
+    Observation observation = at(detection, frame, scene);
+    observation.track = track;
+    return observation;
+}
+
+TEST(NavigationHistory, AFollowedObjectIsOneObservationWhateverTheSceneAndThePlaceInThePicture) {
+    NavigationHistory history;
+    std::size_t fresh = 0;
+    for (std::uint64_t i = 0; i < 30; ++i) {
+        ImageBox box{20.0 + 15.0 * static_cast<double>(i), 100, 60, 120};
+        fresh += history.add({followed(seen(Kind::Door, "", "", box), i, static_cast<int>(i / 7), 5)}).size();
+    }
+    EXPECT_EQ(fresh, 1U);
+    ASSERT_EQ(history.items().size(), 1U);
+    EXPECT_NEAR(history.items().front().time, 2.9, 1e-9);
+}
+
+TEST(NavigationHistory, TwoFollowedCopiesOfATrainedObjectStayTwo) {
+    NavigationHistory history;
+    std::size_t fresh = 0;
+    for (std::uint64_t i = 0; i < 10; ++i) {
+        double x = 100.0 + static_cast<double>(i);
+        Observation left = followed(seen(Kind::Extinguisher, "red", "", {x, 100, 50, 90}), i, 0, 1);
+        Observation right = followed(seen(Kind::Extinguisher, "red", "", {x + 200, 100, 50, 90}), i, 0, 2);
+        fresh += history.add(i % 2 == 0 ? std::vector{left, right} : std::vector{right, left}).size();
+    }
+    EXPECT_EQ(fresh, 2U);
+    ASSERT_EQ(history.items().size(), 2U);
+    EXPECT_NE(history.items()[0].track, history.items()[1].track);
+    EXPECT_NEAR(history.items()[0].detection.quad[0].x, 109.0, 1e-9);
+    EXPECT_NEAR(history.items()[1].detection.quad[0].x, 309.0, 1e-9);
+}
+
+TEST(NavigationHistory, AFollowedObjectThatNewerOnesPushedOutIsNotCountedAgain) {
+    NavigationHistory history;
+    Observation door = followed(seen(Kind::Door, "", "", kLeft), 0, 0, 1);
+    EXPECT_EQ(history.add({door}).size(), 1U);
+    for (std::uint64_t i = 2; i < 6; ++i)
+        history.add({followed(seen(Kind::Poster, "p" + std::to_string(i)), i, 0, i)});
+    EXPECT_TRUE(history.add({door}).empty());
+    EXPECT_EQ(history.items().size(), 4U);
+    history.clear();
+    EXPECT_EQ(history.add({door}).size(), 1U);
+}
+
+TEST(NavigationHistory, ATrackThatWasLostAndBeganAnewInOneSceneIsStillOneTrainedObject) {
+    NavigationHistory history;
+    history.add({followed(seen(Kind::Poster, "map", "", kLeft), 0, 3, 1)});
+    EXPECT_TRUE(history.add({followed(seen(Kind::Poster, "map", "", kRight), 9, 3, 2)}).empty());
+    EXPECT_EQ(history.items().size(), 1U);
+}
+
 TEST(NavigationHistory, ClearForgets) {
     NavigationHistory history;
     history.add({at(seen(Kind::Door), 1, 0)});

@@ -47,6 +47,22 @@ protected:
 };
 std::unique_ptr<TextReader> Reading::s_reader;
 
+TEST_F(Reading, WhatIsKnownIsLeftOutAndSoManyLinesAreReadAtMost) {
+    cv::Mat picture(480, 640, CV_8UC3, cv::Scalar::all(150));
+    Quad upper = quadOf({140, 40, 300, 86}), lower = quadOf({140, 260, 300, 86});
+    for (const auto& [quad, word] : {std::pair{upper, "SAIDA"}, {lower, "BAR"}})
+        test::hang(picture, sign({word}), quad);
+    TextPlaces places;
+    EXPECT_THAT(texts(s_reader->readAt(picture, places)), testing::UnorderedElementsAre("SAIDA", "BAR"));
+    places.known = {upper};
+    EXPECT_THAT(texts(s_reader->readAt(picture, places)), ElementsAre("BAR"));
+    places.known = {};
+    places.maxLines = 1;
+    EXPECT_EQ(s_reader->readAt(picture, places).detections.size(), 1U);
+    places.maxLines = 0;
+    EXPECT_THAT(s_reader->readAt(picture, places).detections, IsEmpty());
+}
+
 TEST_F(Reading, SignsOfSeveralSizesAreReadWhereTheyHang) {
     struct Case {
         const char* text;

@@ -184,6 +184,24 @@ TEST(LogLines, ADetectionLineOfAWalkReadsBack) {
     EXPECT_NEAR(toDegrees(*back.bearing), 10.0, 1e-9);
 }
 
+TEST(LogLines, AFollowedDetectionKeepsItsTrack) {
+    NavigationStep step;
+    step.percept.detections.push_back(test::seen(Kind::Door, "", 33.0));
+    std::string plain = linesOf(step, nullptr).at(1);
+    EXPECT_FALSE(Json::parse(plain).contains("track")) << "nothing is followed: the line is as it always was";
+    step.percept.detections[0].track = 7;
+    step.percept.detections[0].confirmations = 3;
+    auto line = parseLogLine(linesOf(step, nullptr).at(1));
+    ASSERT_TRUE(line);
+    const auto& back = std::get<LogDetection>(*line).percept.detections.at(0);
+    EXPECT_EQ(back.track, 7U);
+    EXPECT_EQ(back.confirmations, 3);
+    auto kept = perceptFromJson(perceptJson(step.percept));
+    ASSERT_TRUE(kept);
+    EXPECT_EQ(kept->detections.at(0).track, 7U);
+    EXPECT_EQ(kept->detections.at(0).confirmations, 3);
+}
+
 TEST(LogLines, TheOtherLinesOfAWalkOnlyTellTheTime) {
     NavigationStep step = stepWith(framed());
     for (const std::string& text : linesOf(step, nullptr)) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <utility>
 
@@ -16,7 +17,6 @@ constexpr int kRounds = 6;      // of moving the middles
 constexpr int kRowsOfList = 64; // wanted on average
 constexpr int kMostMiddles = 16384;
 constexpr int kSamplesOfMiddle = 24; // rows that place it
-constexpr std::size_t kGroupsLooked = 6;
 
 FAROL_WIDE int squaredDistance(const unsigned char* a, const unsigned char* b) {
     int sum = 0;
@@ -27,9 +27,29 @@ FAROL_WIDE int squaredDistance(const unsigned char* a, const unsigned char* b) {
     return sum;
 }
 
-/// Of one query to many rows at once, so that the choice of the processor's version is paid once.
+/// Of one query to many rows at once, so that the choice of the processor's version is paid once; four rows
+/// side by side keep its units busy.
 FAROL_WIDE void squaredDistances(const unsigned char* query, const unsigned char* rows, int count, int* out) {
-    for (int row = 0; row < count; ++row) {
+    int row = 0;
+    for (; row + 4 <= count; row += 4) {
+        const unsigned char* b = rows + static_cast<std::ptrdiff_t>(row) * kBytes;
+        int sum0 = 0, sum1 = 0, sum2 = 0, sum3 = 0;
+        for (int i = 0; i < kBytes; ++i) {
+            auto d0 = static_cast<short>(query[i] - b[i]);
+            auto d1 = static_cast<short>(query[i] - b[i + kBytes]);
+            auto d2 = static_cast<short>(query[i] - b[i + 2 * kBytes]);
+            auto d3 = static_cast<short>(query[i] - b[i + 3 * kBytes]);
+            sum0 += d0 * d0;
+            sum1 += d1 * d1;
+            sum2 += d2 * d2;
+            sum3 += d3 * d3;
+        }
+        out[row] = sum0;
+        out[row + 1] = sum1;
+        out[row + 2] = sum2;
+        out[row + 3] = sum3;
+    }
+    for (; row < count; ++row) {
         const unsigned char* b = rows + static_cast<std::ptrdiff_t>(row) * kBytes;
         int sum = 0;
         for (int i = 0; i < kBytes; ++i) {
@@ -79,8 +99,39 @@ cv::Mat evenly(const cv::Mat& rows, int most) {
     return some;
 }
 
+int* room(std::vector<int>& distances, int count) {
+    if (distances.size() < static_cast<std::size_t>(count)) distances.resize(static_cast<std::size_t>(count));
+    return distances.data();
+}
+
+/// Distance and number in one word, which sorts faster than a pair.
+void appendWords(const int* distances, int count, std::size_t first, std::vector<std::uint64_t>& words) {
+    std::size_t at = words.size();
+    words.resize(at + static_cast<std::size_t>(count));
+    for (int i = 0; i < count; ++i)
+        words[at + static_cast<std::size_t>(i)] =
+            (static_cast<std::uint64_t>(distances[i]) << 32U) | (first + static_cast<std::size_t>(i));
+}
+
+std::size_t whichOf(std::uint64_t word) {
+    return word & 0xFFFFFFFFU;
+}
+
+/// A few more words in their place; answers how many are now. Seldom is more than the first handful wanted.
+std::size_t sortedFurther(std::vector<std::uint64_t>& words, std::size_t sorted) {
+    constexpr std::size_t kAtOnce = 12;
+    auto begin = words.begin() + static_cast<std::ptrdiff_t>(sorted);
+    std::size_t end = std::min(sorted + kAtOnce, words.size());
+    auto middle = words.begin() + static_cast<std::ptrdiff_t>(end);
+    if (middle != words.end()) std::nth_element(begin, middle, words.end());
+    std::sort(begin, middle);
+    return end;
+}
+
+} // namespace
+
 /// The nearest few so far, nearest first.
-struct Best {
+struct ByteIndex::Best {
     int* rows;
     float* distances;
     int most;
@@ -99,8 +150,6 @@ struct Best {
         if (count == most) limit = static_cast<int>(distances[most - 1]);
     }
 };
-
-} // namespace
 
 int byteDistance(const unsigned char* a, const unsigned char* b) {
     return squaredDistance(a, b);
@@ -165,42 +214,57 @@ Neighbours ByteIndex::search(const cv::Mat& queries, int neighbours, int checks)
     found.rows.assign(total, -1);
     found.distances.assign(total, std::numeric_limits<float>::max());
     if (m_rows.empty()) return found;
-    std::vector<int> distances;
-    std::vector<std::pair<int, std::size_t>> groups, lists;
-    for (int query = 0; query < queries.rows; ++query) {
-        const unsigned char* wanted = queries.ptr(query);
-        distances.resize(static_cast<std::size_t>(m_groups.rows));
-        squaredDistances(wanted, m_groups.ptr(), m_groups.rows, distances.data());
-        groups.clear();
-        for (std::size_t i = 0; i < distances.size(); ++i) groups.emplace_back(distances[i], i);
-        std::size_t looked = std::min(kGroupsLooked, groups.size());
-        std::partial_sort(groups.begin(), groups.begin() + static_cast<std::ptrdiff_t>(looked), groups.end());
-        lists.clear();
-        for (std::size_t g = 0; g < looked; ++g) {
-            const cv::Mat& middles = m_middles[groups[g].second];
-            distances.resize(static_cast<std::size_t>(middles.rows));
-            squaredDistances(wanted, middles.ptr(), middles.rows, distances.data());
-            for (std::size_t i = 0; i < distances.size(); ++i)
-                lists.emplace_back(distances[i], m_firstList[groups[g].second] + i);
-        }
-        std::size_t at = static_cast<std::size_t>(query) * static_cast<std::size_t>(neighbours);
-        Best best{found.rows.data() + at, found.distances.data() + at, neighbours};
-        int left = checks;
-        auto nearer = [](const auto& a, const auto& b) { return a > b; };
-        std::make_heap(lists.begin(), lists.end(), nearer);
-        while (left > 0 && !lists.empty()) {
-            std::pop_heap(lists.begin(), lists.end(), nearer);
-            const List& list = m_lists[lists.back().second];
-            lists.pop_back();
-            int count = static_cast<int>(list.numbers.size());
-            distances.resize(list.numbers.size());
-            squaredDistances(wanted, list.bytes.data(), count, distances.data());
-            for (std::size_t i = 0; i < list.numbers.size(); ++i)
-                if (distances[i] < best.limit) best.offer(list.numbers[i], distances[i]);
-            left -= std::max(count, 1);
-        }
+    Scratch scratch;
+    for (const Visit& visit : visits(queries)) {
+        std::size_t at = static_cast<std::size_t>(visit.query) * static_cast<std::size_t>(neighbours);
+        searchOne(queries.ptr(visit.query), visit.groups, checks, scratch,
+                  {found.rows.data() + at, found.distances.data() + at, neighbours});
     }
     return found;
+}
+
+std::vector<ByteIndex::Visit> ByteIndex::visits(const cv::Mat& queries) const {
+    std::vector<Visit> all(static_cast<std::size_t>(queries.rows));
+    std::vector<int> distances;
+    std::vector<std::uint64_t> groups;
+    for (int query = 0; query < queries.rows; ++query) {
+        squaredDistances(queries.ptr(query), m_groups.ptr(), m_groups.rows, room(distances, m_groups.rows));
+        groups.clear();
+        appendWords(distances.data(), m_groups.rows, 0, groups);
+        std::size_t looked = std::min(kGroupsLooked, groups.size());
+        std::partial_sort(groups.begin(), groups.begin() + static_cast<std::ptrdiff_t>(looked), groups.end());
+        Visit& visit = all[static_cast<std::size_t>(query)];
+        visit.query = query;
+        visit.groups.fill(-1);
+        for (std::size_t g = 0; g < looked; ++g) visit.groups[g] = static_cast<int>(whichOf(groups[g]));
+    }
+    // Like queries one after the other find their lists still in the processor's cache.
+    std::stable_sort(all.begin(), all.end(),
+                     [](const Visit& a, const Visit& b) { return a.groups < b.groups; });
+    return all;
+}
+
+void ByteIndex::searchOne(const unsigned char* wanted, const std::array<int, kGroupsLooked>& groups,
+                          int checks, Scratch& scratch, Best best) const {
+    auto& [distances, lists] = scratch;
+    lists.clear();
+    for (int number : groups) {
+        if (number < 0) break;
+        auto group = static_cast<std::size_t>(number);
+        const cv::Mat& middles = m_middles[group];
+        squaredDistances(wanted, middles.ptr(), middles.rows, room(distances, middles.rows));
+        appendWords(distances.data(), middles.rows, m_firstList[group], lists);
+    }
+    std::size_t sorted = 0;
+    for (std::size_t next = 0; checks > 0 && next < lists.size(); ++next) {
+        if (next == sorted) sorted = sortedFurther(lists, sorted);
+        const List& list = m_lists[whichOf(lists[next])];
+        int count = static_cast<int>(list.numbers.size());
+        squaredDistances(wanted, list.bytes.data(), count, room(distances, count));
+        for (std::size_t i = 0; i < list.numbers.size(); ++i)
+            if (distances[i] < best.limit) best.offer(list.numbers[i], distances[i]);
+        checks -= std::max(count, 1);
+    }
 }
 
 std::vector<RowMatch> ratioMatches(const cv::Mat& queries, const cv::Mat& rows, double ratio) {

@@ -3,6 +3,8 @@
 
 #include <opencv2/core.hpp>
 
+#include <array>
+#include <cstdint>
 #include <vector>
 
 namespace farol::recognition {
@@ -31,13 +33,27 @@ public:
     Neighbours search(const cv::Mat& queries, int neighbours, int checks) const;
 
 private:
+    static constexpr std::size_t kGroupsLooked = 6;
     struct List {
         std::vector<unsigned char> bytes;
         std::vector<int> numbers;
     };
+    /// A query and the groups whose middles are nearest to it; -1 where there are fewer.
+    struct Visit {
+        int query = 0;
+        std::array<int, kGroupsLooked> groups{};
+    };
+    struct Best;
+    struct Scratch {
+        std::vector<int> distances;
+        std::vector<std::uint64_t> lists;
+    };
 
     void rebuild();
     void append(int first);
+    std::vector<Visit> visits(const cv::Mat& queries) const;
+    void searchOne(const unsigned char* wanted, const std::array<int, kGroupsLooked>& groups, int checks,
+                   Scratch& scratch, Best best) const;
     std::size_t nearestList(const unsigned char* row) const;
 
     cv::Mat m_rows;

@@ -15,9 +15,9 @@ namespace farol::recognition {
 struct RecogniserOptions {
     double ratio = 0.90; ///< to the first neighbour of another template
     int neighbours = 8;
-    int searchChecks = 400; ///< rows compared with each of the frame's
-    int minInliers = 6;     ///< of an object
-    double minPatchCorrelation = 0.5;
+    int searchChecks = 400;  ///< rows compared with each of the frame's
+    int minInliers = 6;      ///< of an object
+    double minLogOdds = 2.5; ///< that it is there, by all evidence together
     int minPlaceInliers = 12;
     double placeRatio = 0.8;
     int placeCandidates = 5; ///< verified one by one

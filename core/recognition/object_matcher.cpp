@@ -18,9 +18,7 @@ namespace {
 
 constexpr std::size_t kFewestVotes = 3;
 constexpr std::size_t kMostCandidates = 16;
-constexpr int kMostOfOneObject = 3; // two extinguishers side by side are two
-constexpr int kManyInliers = 20;
-constexpr double kManyInliersShare = 0.1;
+constexpr int kMostOfOneObject = 3;    // two extinguishers side by side are two
 constexpr int kGuidedDistance = 42000; // squared, of descriptors whose place is foretold
 
 Quad quadFrom(const std::array<cv::Point2f, 4>& corners) {
@@ -284,24 +282,20 @@ std::vector<ObjectMatcher::Pair> ObjectMatcher::guided(const Candidate& candidat
     return pairs;
 }
 
-ObjectMatcher::Fit ObjectMatcher::judged(const Object& object, const cv::Matx33d& planeToFrame,
-                                         const std::vector<Pair>& pairs, const cv::Mat& grey,
-                                         const Features& frame, double reach) const {
-    Fit fit;
-    fit.planeToFrame = planeToFrame;
+ObjectMatcher::Fit ObjectMatcher::fitAt(const cv::Matx33d& planeToFrame, const std::vector<Pair>& pairs,
+                                        const Features& frame, double reach) const {
+    Fit fit{planeToFrame, {}};
     for (const Pair& pair : pairs) {
         cv::Point2d at =
             mapped(planeToFrame, cv::Point2d(m_rows[static_cast<std::size_t>(pair.row)].onPlane));
         cv::Point2d seen(frame.keypoints[static_cast<std::size_t>(pair.query)].pt);
-        if (cv::norm(at - seen) < reach) ++fit.inliers;
+        if (cv::norm(at - seen) < reach) fit.inliers.push_back(pair);
     }
-    fit.correlation = patchCorrelation(object.patch, object.planeSize, grey, planeToFrame);
     return fit;
 }
 
-std::optional<ObjectMatcher::Fit> ObjectMatcher::fitted(const Candidate& candidate, const cv::Mat& grey,
-                                                        const Features& frame, const FrameGrid& grid) const {
-    const Object& object = m_objects[static_cast<std::size_t>(candidate.object)];
+std::vector<ObjectMatcher::Fit> ObjectMatcher::fitted(const Candidate& candidate, const cv::Mat& grey,
+                                                      const Features& frame, const FrameGrid& grid) const {
     // Pixels of a picture 640 wide, whatever the camera gives.
     double reach = m_options.reprojectionPx * std::max(grey.cols, grey.rows) / 640.0;
     double extent = std::exp2(static_cast<double>(candidate.where.logExtent));
@@ -318,61 +312,121 @@ std::optional<ObjectMatcher::Fit> ObjectMatcher::fitted(const Candidate& candida
     cv::Matx33d place = placed(candidate);
     std::vector<Pair> pairs = guided(candidate, place, std::max(2.0 * reach, 0.15 * extent), frame, grid);
     for (double within : {2.0, 1.0}) {
-        if (pairs.size() < 4) return std::nullopt;
+        if (pairs.size() < 4) return {};
         auto [foretold, seen] = points(pairs, &place);
         cv::Mat affinity =
             cv::estimateAffine2D(foretold, seen, cv::noArray(), cv::RANSAC, within * reach, 500);
-        if (affinity.empty()) return std::nullopt;
+        if (affinity.empty()) return {};
         const auto* a = affinity.ptr<double>();
         place = cv::Matx33d(a[0], a[1], a[2], a[3], a[4], a[5], 0, 0, 1) * place;
         pairs = guided(candidate, place, 2.5 * reach, frame, grid);
     }
-    Fit best = judged(object, place, pairs, grey, frame, reach);
-    if (pairs.size() < 8) return best;
+    std::vector<Fit> fits{fitAt(place, pairs, frame, reach)};
+    if (pairs.size() < 8) return fits;
     auto [plane, seen] = points(pairs, nullptr);
     cv::Mat estimate =
         cv::findHomography(plane, seen, cv::USAC_MAGSAC, 0.75 * reach, cv::noArray(), 500, 0.999);
-    if (estimate.empty()) return best;
+    if (estimate.empty()) return fits;
     cv::Matx33d full(estimate);
+    fits.push_back(fitAt(full, guided(candidate, full, 1.5 * reach, frame, grid), frame, reach));
+    return fits;
+}
+
+FitEvidence ObjectMatcher::geometryOf(const Candidate& candidate, const Fit& fit, const cv::Mat& grey,
+                                      const Features& frame) const {
+    const Object& object = m_objects[static_cast<std::size_t>(candidate.object)];
+    FitEvidence evidence;
+    evidence.inliers = static_cast<int>(fit.inliers.size());
+    evidence.strain = strainOf(fit.planeToFrame, grey.size());
+    std::vector<cv::Point2f> places;
+    for (const Pair& pair : fit.inliers) places.push_back(m_rows[static_cast<std::size_t>(pair.row)].onPlane);
+    evidence.spread = hullShare(places, object.planeSize);
+    double reach = 1.5 * m_options.reprojectionPx * std::max(grey.cols, grey.rows) / 640.0;
+    for (const Pair& pair : candidate.pairs) {
+        cv::Point2d at =
+            mapped(fit.planeToFrame, cv::Point2d(m_rows[static_cast<std::size_t>(pair.row)].onPlane));
+        if (cv::norm(at - cv::Point2d(frame.keypoints[static_cast<std::size_t>(pair.query)].pt)) > reach)
+            continue;
+        ++evidence.unguided;
+        evidence.uniqueness += 1.0 - static_cast<double>(pair.ratio);
+    }
+    const cv::Rect2d plane(0, 0, object.planeSize.x, object.planeSize.y);
+    cv::Matx33d frameToPlane = fit.planeToFrame.inv();
+    for (const cv::KeyPoint& point : frame.keypoints)
+        if (plane.contains(mapped(frameToPlane, cv::Point2d(point.pt)))) ++evidence.seen;
+    return evidence;
+}
+
+ObjectMatcher::Judged ObjectMatcher::judged(const Candidate& candidate, const Fit& fit, const cv::Mat& grey,
+                                            const Features& frame) const {
+    const Object& object = m_objects[static_cast<std::size_t>(candidate.object)];
+    Judged judged;
     Plane shape{object.planeSize.x, object.planeSize.y};
-    if (insaneQuad(mapped(full, shape.corners()), grey.size()) != nullptr) return best;
-    Fit better = judged(object, full, guided(candidate, full, 1.5 * reach, frame, grid), grey, frame, reach);
-    return better.inliers >= best.inliers && better.correlation > best.correlation - 0.05 ? better : best;
+    auto corners = mapped(fit.planeToFrame, shape.corners());
+    judged.quad = quadFrom(corners);
+    judged.value = static_cast<double>(fit.inliers.size());
+    judged.reason = insaneQuad(corners, grey.size());
+    if (judged.reason == nullptr && static_cast<int>(fit.inliers.size()) < m_options.minInliers)
+        judged.reason = "few_inliers";
+    if (judged.reason != nullptr) return judged;
+    judged.evidence = geometryOf(candidate, fit, grey, frame);
+    // The grey values cost most, and where even perfect ones would not suffice they need no look.
+    judged.evidence.correlation = 1.0;
+    judged.odds = logOdds(judged.evidence);
+    if (judged.odds < m_options.minLogOdds) {
+        judged.reason = "few_inliers";
+        judged.value = judged.evidence.unguided;
+        return judged;
+    }
+    judged.evidence.correlation = judged.value =
+        patchCorrelation(object.patch, object.planeSize, grey, fit.planeToFrame);
+    judged.odds = logOdds(judged.evidence);
+    if (judged.odds < m_options.minLogOdds) judged.reason = "low_patch_correlation";
+    return judged;
+}
+
+/// Could it be believed if everything else spoke for it?
+bool ObjectMatcher::worthFitting(const Candidate& candidate) const {
+    FitEvidence best;
+    best.inliers = best.seen = best.unguided = static_cast<int>(candidate.pairs.size());
+    for (const Pair& pair : candidate.pairs) best.uniqueness += 1.0 - static_cast<double>(pair.ratio);
+    best.spread = best.correlation = 1.0;
+    return logOdds(best) >= m_options.minLogOdds;
 }
 
 bool ObjectMatcher::verify(const Candidate& candidate, const cv::Mat& grey, const Features& frame,
-                           const FrameGrid& grid, DetectorResult& result) const {
+                           const FrameGrid& grid, DetectorResult& result,
+                           std::vector<ObjectTrial>* trials) const {
     const Object& object = m_objects[static_cast<std::size_t>(candidate.object)];
-    Rejection rejection{"landmarks", object.entry->kind, object.entry->id, {}, "", 0.0};
-    auto reject = [&](const char* reason, double value) {
-        rejection.reason = reason;
-        rejection.value = value;
-        result.rejections.push_back(rejection);
+    Judged best;
+    best.reason = "no_homography";
+    best.value = static_cast<double>(candidate.pairs.size());
+    auto reject = [&](const Judged& judged) {
+        result.rejections.push_back(
+            {"landmarks", object.entry->kind, object.entry->id, judged.quad, judged.reason, judged.value});
         return false;
     };
-    std::optional<Fit> fit;
+    if (!worthFitting(candidate)) return reject(best);
     try {
-        fit = fitted(candidate, grey, frame, grid);
+        bool first = true;
+        for (const Fit& fit : fitted(candidate, grey, frame, grid)) {
+            Judged one = judged(candidate, fit, grey, frame);
+            if (first || one.odds > best.odds) best = one;
+            first = false;
+        }
     } catch (const cv::Exception&) { // all points on one line, for example
     }
-    if (!fit) return reject("no_homography", static_cast<double>(candidate.pairs.size()));
-    Plane shape{object.planeSize.x, object.planeSize.y};
-    auto corners = mapped(fit->planeToFrame, shape.corners());
-    rejection.quad = quadFrom(corners);
-    if (const char* reason = insaneQuad(corners, grey.size()))
-        return reject(reason, static_cast<double>(candidate.pairs.size()));
-    if (fit->inliers < m_options.minInliers) return reject("few_inliers", fit->inliers);
-    // Where very many points fit, light and blur may have changed the grey values more.
-    double wanted = m_options.minPatchCorrelation - (fit->inliers >= kManyInliers ? kManyInliersShare : 0.0);
-    if (fit->correlation < wanted) return reject("low_patch_correlation", fit->correlation);
+    if (trials != nullptr && best.evidence.inliers > 0)
+        trials->push_back({object.entry->id, best.quad, best.evidence});
+    if (best.reason != nullptr) return reject(best);
     Detection detection;
     detection.kind = object.entry->kind;
     detection.templateId = object.entry->id;
-    detection.quad = rejection.quad;
+    detection.quad = best.quad;
     detection.image = {grey.cols, grey.rows};
-    detection.inliers = fit->inliers;
-    detection.score =
-        std::clamp(0.5 * fit->inliers / (fit->inliers + 8.0) + 0.5 * fit->correlation, 0.0, 1.0);
+    detection.inliers = best.evidence.inliers;
+    detection.score = std::clamp(
+        0.5 * detection.inliers / (detection.inliers + 8.0) + 0.5 * best.evidence.correlation, 0.0, 1.0);
     result.detections.push_back(std::move(detection));
     return true;
 }
@@ -398,7 +452,8 @@ std::vector<ObjectMatcher::Candidate> ObjectMatcher::candidates(const Features& 
     return found;
 }
 
-DetectorResult ObjectMatcher::match(const cv::Mat& grey, const Features& frame) const {
+DetectorResult ObjectMatcher::match(const cv::Mat& grey, const Features& frame,
+                                    std::vector<ObjectTrial>* trials) const {
     DetectorResult result;
     if (empty() || frame.keypoints.empty()) return result;
     FrameGrid grid(frame, grey.size());
@@ -411,7 +466,7 @@ DetectorResult ObjectMatcher::match(const cv::Mat& grey, const Features& frame) 
                     border.emplace_back(static_cast<float>(p.x), static_cast<float>(p.y));
                 return cv::pointPolygonTest(border, candidate.where.centre, false) >= 0.0;
             });
-        if (!taken) verify(candidate, grey, frame, grid, result);
+        if (!taken) verify(candidate, grey, frame, grid, result, trials);
     }
     std::stable_sort(result.detections.begin(), result.detections.end(),
                      [](const Detection& a, const Detection& b) { return a.score > b.score; });

@@ -1,9 +1,11 @@
 #pragma once
-// Trained objects, which are planes or nearly so. Only this folder includes it.
+// Trained objects, which are planes or nearly so. Only this folder and the fit of its weights (tests/bench)
+// include it.
 
 #include "core/recognition/byte_index.h"
 #include "core/recognition/detection.h"
 #include "core/recognition/landmark_recogniser.h"
+#include "core/recognition/object_evidence.h"
 #include "core/recognition/view_poses.h"
 
 #include <optional>
@@ -11,12 +13,21 @@
 
 namespace farol::recognition {
 
+/// A template fitted somewhere, whether accepted or not.
+struct ObjectTrial {
+    TemplateId id;
+    Quad quad{};
+    FitEvidence evidence;
+};
+
 class ObjectMatcher {
 public:
     /// Takes every template of the library that is no place.
     ObjectMatcher(const LandmarkLibrary& library, const RecogniserOptions& options);
     bool empty() const { return m_rows.empty(); }
-    DetectorResult match(const cv::Mat& grey, const Features& frame) const;
+    /// `trials`: told of every fit that is a sane outline, when wanted.
+    DetectorResult match(const cv::Mat& grey, const Features& frame,
+                         std::vector<ObjectTrial>* trials = nullptr) const;
 
 private:
     /// One picture of an object: a photograph, or a pose made from it.
@@ -59,8 +70,14 @@ private:
     };
     struct Fit {
         cv::Matx33d planeToFrame;
-        int inliers = 0;
-        double correlation = -1.0;
+        std::vector<Pair> inliers;
+    };
+    struct Judged {
+        Quad quad{};
+        FitEvidence evidence;
+        const char* reason = nullptr; ///< why not; null when it stands
+        double value = 0.0;           ///< that fell short
+        double odds = -1e9;           ///< logarithm
     };
     class FrameGrid;
 
@@ -74,12 +91,18 @@ private:
     cv::Matx33d placed(const Candidate& candidate) const;
     std::vector<Pair> guided(const Candidate& candidate, const cv::Matx33d& planeToFrame, double reach,
                              const Features& frame, const FrameGrid& grid) const;
-    std::optional<Fit> fitted(const Candidate& candidate, const cv::Mat& grey, const Features& frame,
-                              const FrameGrid& grid) const;
-    Fit judged(const Object& object, const cv::Matx33d& planeToFrame, const std::vector<Pair>& pairs,
-               const cv::Mat& grey, const Features& frame, double reach) const;
+    /// As an affinity, which few matches determine well, and as a homography where there are more.
+    std::vector<Fit> fitted(const Candidate& candidate, const cv::Mat& grey, const Features& frame,
+                            const FrameGrid& grid) const;
+    Fit fitAt(const cv::Matx33d& planeToFrame, const std::vector<Pair>& pairs, const Features& frame,
+              double reach) const;
+    FitEvidence geometryOf(const Candidate& candidate, const Fit& fit, const cv::Mat& grey,
+                           const Features& frame) const;
+    Judged judged(const Candidate& candidate, const Fit& fit, const cv::Mat& grey,
+                  const Features& frame) const;
+    bool worthFitting(const Candidate& candidate) const;
     bool verify(const Candidate& candidate, const cv::Mat& grey, const Features& frame, const FrameGrid& grid,
-                DetectorResult& result) const;
+                DetectorResult& result, std::vector<ObjectTrial>* trials) const;
 
     RecogniserOptions m_options;
     std::vector<Object> m_objects;

@@ -1,0 +1,108 @@
+// Trained planes where frames are awkward: several of one template, cut off by the frame's edge, half hidden,
+// upside down, absurdly large.
+
+#include "core/recognition/landmark_recogniser.h"
+
+#include <opencv2/imgproc.hpp>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "drawn_pictures.h"
+
+namespace farol::recognition {
+namespace {
+
+const LandmarkRecogniser& recogniser() {
+    static const LandmarkRecogniser kOne = [] {
+        auto library = std::make_shared<LandmarkLibrary>();
+        for (std::uint64_t seed = 1; seed <= 6; ++seed) test::trainPoster(*library, seed);
+        return LandmarkRecogniser(library);
+    }();
+    return kOne;
+}
+
+std::vector<Detection> foundIn(const cv::Mat& picture) {
+    return recogniser().recognise(picture).detections;
+}
+
+TEST(PlanesInFrames, TwoOfOneTemplateAreTwo) {
+    const Quad left = quadOf({30, 120, 240, 180}), right = quadOf({360, 150, 200, 150});
+    cv::Mat picture = test::room(4);
+    test::hang(picture, test::poster(5), left);
+    test::hang(picture, test::poster(5), right);
+    auto found = foundIn(picture);
+    ASSERT_EQ(found.size(), 2U);
+    std::sort(found.begin(), found.end(),
+              [](const Detection& a, const Detection& b) { return a.quad[0].x < b.quad[0].x; });
+    EXPECT_EQ(found[0].templateId.value, "poster-5");
+    EXPECT_EQ(found[1].templateId.value, "poster-5");
+    EXPECT_GT(test::sharedArea(found[0].quad, left), 0.8);
+    EXPECT_GT(test::sharedArea(found[1].quad, right), 0.8);
+}
+
+TEST(PlanesInFrames, APosterCutOffByTheFrameIsFoundWithItsWholeOutline) {
+    for (const Quad& quad : {quadOf({-110, 130, 300, 225}), quadOf({450, 130, 300, 225}),
+                             quadOf({170, -90, 300, 225}), quadOf({170, 345, 300, 225})}) {
+        cv::Mat picture = test::room(2);
+        test::hang(picture, test::poster(3), quad);
+        auto found = foundIn(picture);
+        ASSERT_EQ(found.size(), 1U) << quad[0].x << " " << quad[0].y;
+        EXPECT_EQ(found[0].templateId.value, "poster-3");
+        EXPECT_GT(test::sharedArea(found[0].quad, quad), 0.75) << quad[0].x << " " << quad[0].y;
+    }
+}
+
+TEST(PlanesInFrames, APosterThatIsHalfHiddenIsFoundAndAScrapOfItIsNot) {
+    const Quad quad = quadOf({150, 110, 340, 255});
+    for (double hidden : {0.5, 0.94}) {
+        cv::Mat picture = test::room(5), empty = test::room(6);
+        test::hang(picture, test::poster(1), quad);
+        cv::Rect cover(140, 100, static_cast<int>(10 + 340 * hidden), 280);
+        empty(cover).copyTo(picture(cover));
+        EXPECT_EQ(foundIn(picture).size(), hidden < 0.6 ? 1U : 0U) << hidden;
+    }
+}
+
+TEST(PlanesInFrames, UpsideDownAndOnItsSideItIsTheSamePoster) {
+    for (int turn : {cv::ROTATE_90_CLOCKWISE, cv::ROTATE_180, cv::ROTATE_90_COUNTERCLOCKWISE}) {
+        cv::Mat picture = test::room(1), turned;
+        test::hang(picture, test::poster(2), quadOf({200, 140, 240, 180}));
+        cv::rotate(picture, turned, turn);
+        auto found = foundIn(turned);
+        ASSERT_EQ(found.size(), 1U) << turn;
+        EXPECT_EQ(found[0].templateId.value, "poster-2");
+    }
+}
+
+TEST(PlanesInFrames, EveryMirroringIsRefused) {
+    for (int axis : {0, 1})
+        for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+            cv::Mat mirrored, picture = test::room(seed);
+            cv::flip(test::poster(seed), mirrored, axis);
+            test::hang(picture, mirrored, quadOf({160, 100, 320, 240}));
+            EXPECT_THAT(foundIn(picture), testing::IsEmpty()) << seed << " axis " << axis;
+        }
+}
+
+TEST(PlanesInFrames, PosterMadeOfPiecesOfTwoIsNotBoth) {
+    cv::Mat picture = test::room(3), mixed = test::poster(1).clone();
+    cv::Rect corner(0, 0, mixed.cols / 4, mixed.rows / 4);
+    test::poster(4)(corner).copyTo(mixed(corner));
+    test::hang(picture, mixed, quadOf({160, 100, 320, 240}));
+    auto found = foundIn(picture);
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found[0].templateId.value, "poster-1");
+}
+
+TEST(PlanesInFrames, APictureOfTwentyThousandPixelsIsAnswered) {
+    cv::Mat picture = test::room(1), wide, tall;
+    test::hang(picture, test::poster(2), quadOf({180, 120, 280, 210}));
+    cv::resize(picture, wide, {20000, 15000}, 0, 0, cv::INTER_LINEAR);
+    EXPECT_EQ(foundIn(wide).size(), 1U);
+    cv::resize(picture, tall, {60, 20000}, 0, 0, cv::INTER_LINEAR);
+    EXPECT_THAT(foundIn(tall), testing::IsEmpty());
+}
+
+} // namespace
+} // namespace farol::recognition

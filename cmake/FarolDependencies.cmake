@@ -14,13 +14,16 @@ add_library(farol_opencv INTERFACE)
 target_include_directories(farol_opencv SYSTEM INTERFACE ${OpenCV_INCLUDE_DIRS})
 target_link_libraries(farol_opencv INTERFACE ${OpenCV_LIBS})
 
+# Rays of the simulated camera.
+find_package(embree 3 REQUIRED)
+# Letters of signs in the simulated world, and of those that farol-cli evaluate and the tests draw.
+find_library(OPENCV_FREETYPE opencv_freetype REQUIRED)
+pkg_check_modules(FONTCONFIG REQUIRED IMPORTED_TARGET fontconfig)
+
 if(FAROL_BUILD_UI)
   find_package(Qt6 6.4 REQUIRED COMPONENTS Core Gui Widgets TextToSpeech Multimedia LinguistTools Svg)
   find_package(CLI11 REQUIRED)
   pkg_check_modules(ESPEAK_NG REQUIRED IMPORTED_TARGET espeak-ng)
-  # Letters of the signs that farol-cli evaluate and the tests draw; nothing else links OpenCV's freetype.
-  find_library(OPENCV_FREETYPE opencv_freetype REQUIRED)
-  pkg_check_modules(FONTCONFIG REQUIRED IMPORTED_TARGET fontconfig)
 endif()
 if(FAROL_BUILD_TESTS)
   find_package(GTest REQUIRED)

@@ -123,13 +123,42 @@ void countGlyphs(LinePicture& line, const std::vector<cv::Rect>& boxes, const cv
     }
 }
 
+/// Share of ink, and holes in it larger than noise.
+void lookAtShape(LinePicture& line, const cv::Mat& mask) {
+    line.fill = static_cast<double>(cv::countNonZero(mask)) /
+                std::max<double>(1.0, static_cast<double>(mask.total()));
+    std::vector<std::vector<cv::Point>> contours;
+    std::vector<cv::Vec4i> tree;
+    cv::findContours(mask, contours, tree, cv::RETR_CCOMP, cv::CHAIN_APPROX_SIMPLE);
+    double least = mask.rows * mask.rows / 200.0;
+    for (std::size_t i = 0; i < contours.size(); ++i)
+        if (tree[i][3] >= 0 && cv::contourArea(contours[i]) >= least) ++line.holes;
+}
+
+/// A space is far wider than the gaps between the letters of a word, however widely those are set.
+void lookForGap(LinePicture& line, const std::vector<cv::Rect>& boxes, const cv::Rect& box) {
+    std::vector<int> gaps;
+    int end = box.x;
+    for (const cv::Rect& b : boxes) { // from left to right
+        if ((b & box) != b) continue;
+        if (end > box.x) gaps.push_back(b.x - end);
+        end = std::max(end, b.br().x);
+    }
+    if (gaps.size() < 2) return;
+    std::sort(gaps.begin(), gaps.end());
+    int usual = std::max(1, gaps[(gaps.size() - 1) / 2]);
+    line.gap = gaps.back() > 0.4 * box.height && gaps.back() > 3 * usual;
+}
+
 /// Does the line go on outside the plate? What reaches from top to bottom is the plate's edge, no letter.
 void lookBeside(LinePicture& line, const Ink& ink, const cv::Rect& box) {
     for (const cv::Rect& piece : ink.cut) {
         bool edge = piece.y <= 1 && piece.br().y >= ink.mask.rows - 1;
         int shared = std::min(piece.br().y, box.br().y) - std::max(piece.y, box.y);
         int gap = std::max(piece.x, box.x) - std::min(piece.br().x, box.br().x);
-        if (edge || shared < box.height * 4 / 10 || gap > box.height * 6 / 10) continue;
+        if (shared < box.height * 4 / 10 || gap > box.height * 6 / 10) continue;
+        if (edge) line.besideEdge = true;
+        if (edge) continue;
         line.alone = false;
         if (piece.height > box.height * 14 / 10) continue;
         line.cutLeft = line.cutLeft || piece.x <= 1;
@@ -157,6 +186,8 @@ LinePicture pictured(const cv::Mat& flat, const Ink& ink, const std::vector<cv::
     line.contrast = ink.ground - ink.dark;
     line.sharpness = steepness(flat(box), {ink.mask(box), {}, ink.ground, ink.dark}, flat.rows / high);
     countGlyphs(line, boxes, cv::Range(box.y, box.br().y));
+    lookForGap(line, boxes, box);
+    lookAtShape(line, ink.mask(box));
     lookBeside(line, ink, box);
     line.aspect = static_cast<double>(box.width) / box.height;
     line.quad =
@@ -188,6 +219,31 @@ cv::Rect grown(cv::Rect box, const std::vector<cv::Rect>& pieces) {
     return box;
 }
 
+/// Boxes of the glyphs between two rows, from left to right, parted where a gap is far wider than any space:
+/// the columns of a table are no one line.
+std::vector<cv::Rect> wordsApart(const std::vector<cv::Rect>& boxes, const cv::Range& rows) {
+    std::vector<cv::Rect> lines;
+    for (const cv::Rect& b : boxes) {
+        if (b.y < rows.start || b.br().y > rows.end) continue;
+        if (lines.empty() || b.x - lines.back().br().x > 3 * rows.size() / 2)
+            lines.push_back(b);
+        else
+            lines.back() |= b;
+    }
+    return lines;
+}
+
+/// Does the middle of a box in the flat picture of `strip` lie on the plate?
+bool standsOn(const Quad& plate, const Quad& strip, cv::Size flat, const cv::Rect& box) {
+    ImagePoint middle =
+        between(strip, (box.x + box.width / 2.0) / flat.width, (box.y + box.height / 2.0) / flat.height);
+    std::vector<cv::Point2f> outline;
+    for (const ImagePoint& corner : plate)
+        outline.emplace_back(static_cast<float>(corner.x), static_cast<float>(corner.y));
+    return cv::pointPolygonTest(outline, {static_cast<float>(middle.x), static_cast<float>(middle.y)},
+                                false) >= 0;
+}
+
 } // namespace
 
 Quad drawnIn(const Quad& quad, double x, double y) {
@@ -205,15 +261,17 @@ std::vector<LinePicture> linesOfPlate(const cv::Mat& grey, const Quad& plate, in
     Ink ink = inkOf(flat, cv::Rect(band, band, flat.cols - 2 * band, flat.rows - 2 * band));
     std::vector<cv::Rect> boxes = glyphBoxes(ink.mask, 4);
     for (const cv::Range& range : rowsOf(boxes, flat.rows)) {
-        cv::Rect box;
-        for (const cv::Rect& b : boxes)
-            if (b.y >= range.start && b.br().y <= range.end) box |= b;
-        if (box.area() > 0) lines.push_back(pictured(flat, ink, boxes, box, plate, high, height));
+        for (const cv::Rect& box : wordsApart(boxes, range)) {
+            std::vector<cv::Rect> own = boxes;
+            std::erase_if(own, [&](const cv::Rect& b) { return (b & box) != b; });
+            lines.push_back(pictured(flat, ink, own, box, plate, high, height));
+        }
     }
     return lines;
 }
 
-std::optional<LinePicture> wholeLine(const cv::Mat& grey, const Quad& quad, bool lightInk, int height) {
+std::optional<LinePicture> wholeLine(const cv::Mat& grey, const Quad& quad, bool lightInk, int height,
+                                     const std::optional<Quad>& plate) {
     constexpr double kBeside = 3.0; // of the quad's height: the longest that a line is followed at once
     double high = (side(quad, 0, 3) + side(quad, 1, 2)) / 2.0;
     double wide = (side(quad, 0, 1) + side(quad, 3, 2)) / 2.0;
@@ -226,6 +284,8 @@ std::optional<LinePicture> wholeLine(const cv::Mat& grey, const Quad& quad, bool
     cv::Rect middle(start, 0, std::max(1, flat.cols - 2 * start), flat.rows);
     Ink ink = inkOf(flat, middle);
     std::vector<cv::Rect> boxes = glyphBoxes(ink.mask, 4);
+    if (plate)
+        std::erase_if(boxes, [&](const cv::Rect& b) { return !standsOn(*plate, strip, flat.size(), b); });
     cv::Rect box;
     for (const cv::Rect& b : boxes)
         if ((b & middle).area() > b.area() / 2 && b.height > 0.3 * flat.rows) box |= b;

@@ -19,6 +19,10 @@ struct LinePicture {
     int glyphs = 0;                         ///< letters and digits that stand apart, dots not counted
     int dots = 0;                           ///< points on the line's foot
     bool cutLeft = false, cutRight = false; ///< more ink of the line reaches the plate's side
+    bool gap = false;                       ///< somewhere between the letters is room for a space
+    double fill = 0.0;                      ///< share of the line's box that is ink
+    int holes = 0;                          ///< closed rings of ink, as in 0, 4, 6, 8, 9
+    bool besideEdge = false;                ///< a post or frame that may hide a letter stands at an end
     bool alone = true;                      ///< nothing else is written or drawn beside the line
     double aspect = 0.0;                    ///< width over height
     double sharpness = 0.0; ///< steepness of the letters' edges against their contrast, see the source
@@ -30,9 +34,10 @@ struct LinePicture {
 /// without ink has none; ink that touches the plate's border (its frame, a shadow) is left out.
 std::vector<LinePicture> linesOfPlate(const cv::Mat& grey, const Quad& plate, int height);
 
-/// The line of letters at `quad`, which need not hold all of it: it is followed to both sides until its end.
-/// Empty where it is no line.
-std::optional<LinePicture> wholeLine(const cv::Mat& grey, const Quad& quad, bool lightInk, int height);
+/// The line of letters at `quad`, which need not hold all of it: it is followed to both sides until its end,
+/// and not beyond the plate where that is known. Empty where it is no line.
+std::optional<LinePicture> wholeLine(const cv::Mat& grey, const Quad& quad, bool lightInk, int height,
+                                     const std::optional<Quad>& plate = std::nullopt);
 
 /// The quad drawn in (or out, for negative shares) by shares of its width and height on every side.
 Quad drawnIn(const Quad& quad, double x, double y);

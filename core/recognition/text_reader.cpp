@@ -4,6 +4,7 @@
 #include "core/recognition/ink_lines.h"
 #include "core/recognition/line_picture.h"
 #include "core/recognition/line_reader.h"
+#include "core/recognition/plate_around.h"
 #include "core/recognition/rectangle_detector.h"
 
 #include <opencv2/imgproc.hpp>
@@ -49,12 +50,41 @@ cv::Mat lookAt(const LinePicture& line, int look) {
 
 /// A single letter or digit is told only from a mark that is nothing else: bars are read as 1, rings as 0.
 bool standsOnItsOwn(const LinePicture& line, const std::string& text) {
-    if (!line.alone) return false;
+    // A letter leaves most of its box empty; a box on the wall does not.
+    if (!line.alone || line.fill > 0.62) return false;
     if (text.front() == '-') return line.glyphs == 2 && line.aspect < 2.0;
     if (line.glyphs != 1) return false;
-    if (text == "1" || text == "I" || text == "l") return line.aspect > 0.4 && line.aspect < 0.9;
+    if (text == "1" || text == "I" || text == "l")
+        return line.holes == 0 && line.aspect > 0.4 && line.aspect < 0.9;
     bool round = text == "0" || text == "O" || text == "o" || text == "Q" || text == "D";
     return line.aspect > 0.4 && line.aspect < (round ? 0.9 : 1.05);
+}
+
+/// One place in the picture where a line seems to stand, and the ways to cut it out, the likeliest first.
+struct Spot {
+    std::vector<LinePicture> lines;
+    bool ends = false; ///< the first is known to be all of its line: it stands on a plate
+};
+
+/// `ends`: the line stands on a plate and is all that does. Of others the longer one comes first, as the
+/// shorter may be a part of it.
+void addTo(std::vector<Spot>& spots, LinePicture line, bool ends) {
+    constexpr std::size_t kWays = 3;
+    ImageBox box = boundingBox(line.quad);
+    for (Spot& spot : spots) {
+        ImageBox there = boundingBox(spot.lines.front().quad);
+        if (coveredBy(box, there) < 0.5 && coveredBy(there, box) < 0.5) continue;
+        bool longer = box.width > there.width * 1.1 && box.height < there.height * 1.5;
+        bool first = ends == spot.ends ? longer : ends;
+        // A part of an open line may be another word.
+        if (!first && !ends) return;
+        if (first && !ends) spot.lines.clear();
+        spot.lines.insert(first ? spot.lines.begin() : spot.lines.end(), std::move(line));
+        spot.ends = spot.ends || ends;
+        if (spot.lines.size() > kWays) spot.lines.pop_back();
+        return;
+    }
+    spots.push_back({{std::move(line)}, ends});
 }
 
 } // namespace
@@ -84,36 +114,33 @@ struct TextReader::Engine {
     Lexicon lexicon;
     LineReader reader;
 
-    std::vector<LinePicture> linesIn(const cv::Mat& grey, const std::vector<Quad>& plates) const;
+    std::vector<Spot> spotsIn(const cv::Mat& grey, const std::vector<Quad>& plates) const;
     std::string whyNotWorthReading(const LinePicture& line, double& value) const;
     std::string judged(const LinePicture& line, const LineReading& reading, std::string& text) const;
-    void readInto(const LinePicture& line, ImageSize size, DetectorResult& result);
+    std::string readLine(const LinePicture& line, std::string& text, double& confidence);
+    void readInto(const Spot& spot, ImageSize size, DetectorResult& result);
 };
 
-/// Lines of plates and lines in the open picture; of two that overlap, the longer one, as the other may be a
-/// part of it.
-std::vector<LinePicture> TextReader::Engine::linesIn(const cv::Mat& grey,
-                                                     const std::vector<Quad>& plates) const {
-    std::vector<LinePicture> lines;
-    auto add = [&](LinePicture line) {
-        ImageBox box = boundingBox(line.quad);
-        for (LinePicture& other : lines) {
-            ImageBox there = boundingBox(other.quad);
-            if (coveredBy(box, there) < 0.5 && coveredBy(there, box) < 0.5) continue;
-            if (box.width > there.width * 1.1 && box.height < there.height * 1.5) other = std::move(line);
-            return;
-        }
-        lines.push_back(std::move(line));
-    };
+/// Lines on plates and lines in the open picture, gathered by where they stand. Ground that ends on all sides
+/// tells best where a line ends; of the others the longer one comes first, as the shorter may be a part of
+/// it.
+std::vector<Spot> TextReader::Engine::spotsIn(const cv::Mat& grey, const std::vector<Quad>& plates) const {
+    std::vector<Spot> spots;
     auto most = static_cast<std::size_t>(options.maxLines) * 3;
     std::vector<InkLine> open = inkLines(grey);
-    for (std::size_t i = 0; i < std::min(open.size(), most); ++i)
-        if (auto line = wholeLine(grey, open[i].quad, open[i].lightInk, options.letterHeightPx))
-            add(std::move(*line));
-    for (std::size_t i = 0; i < std::min(plates.size(), most); ++i)
-        for (LinePicture& line : linesOfPlate(grey, withoutEdge(plates[i]), options.letterHeightPx))
-            if (!line.cutLeft && !line.cutRight) add(std::move(line));
-    return lines;
+    open.resize(std::min(open.size(), most));
+    auto addPlate = [&](const Quad& plate) {
+        for (LinePicture& line : linesOfPlate(grey, withoutEdge(plate), options.letterHeightPx))
+            if (!line.cutLeft && !line.cutRight) addTo(spots, std::move(line), true);
+    };
+    for (const InkLine& line : open) {
+        auto plate = plateAround(grey, line.quad, line.lightInk);
+        if (auto whole = wholeLine(grey, line.quad, line.lightInk, options.letterHeightPx, plate))
+            addTo(spots, std::move(*whole), plate.has_value());
+        if (plate) addPlate(*plate);
+    }
+    for (std::size_t i = 0; i < std::min(plates.size(), most); ++i) addPlate(plates[i]);
+    return spots;
 }
 
 /// A stable word, or nothing when the line may be read.
@@ -140,31 +167,32 @@ std::string TextReader::Engine::judged(const LinePicture& line, const LineReadin
     // As many letters as there are pieces of ink; letters that touch may make fewer pieces, never more.
     bool number = digitsIn(reading.text) == letters;
     bool point = reading.text.find_first_of(".,-:") != std::string::npos;
-    if (number && line.glyphs > letters + (point ? 1 : 0)) return "lost_letter";
+    auto marks = std::count_if(reading.text.begin(), reading.text.end(),
+                               [](char c) { return std::ispunct(static_cast<unsigned char>(c)) != 0; });
+    if (line.glyphs > letters + (number ? static_cast<int>(point) : static_cast<int>(marks)))
+        return "lost_letter";
+    // "Lab3" for "Lab 3" is another name to whoever compares it.
+    if (line.gap && reading.text.find(' ') == std::string::npos) return "lost_space";
     if (auto word = lexicon.meant(reading.text); word && reading.confidence >= options.minWordConfidence) {
         text = *word;
-        return "";
+        return letterCount(text) == 1 && !standsOnItsOwn(line, text) ? "lone_stroke" : "";
     }
     text = reading.text;
     if (reading.confidence < options.minConfidence) return "low_confidence";
     bool capitals = std::none_of(text.begin(), text.end(), [](char c) { return c >= 'a' && c <= 'z'; });
     if (letters < options.minLetters || (letters < 3 && !capitals)) return "too_short";
+    // 303 beside a post may be 13.03.
+    if (number && line.besideEdge) return "beside_an_edge";
     // A lost point turns 2.14 into another room. Points that stand among digits have to be in the reading.
     return number && line.dots == 1 && !point ? "lost_point" : "";
 }
 
-void TextReader::Engine::readInto(const LinePicture& line, ImageSize size, DetectorResult& result) {
-    Rejection rejection{"text", Kind::Text, {}, line.quad, "", 0.0};
-    auto reject = [&](const std::string& reason, double value) {
-        rejection.reason = reason;
-        rejection.value = value;
-        result.rejections.push_back(rejection);
-    };
-    // A digit that changes with how it is looked at is a guess, however sure Tesseract is of it: two of at
-    // most four looks have to agree.
-    std::string text, reason;
-    double confidence = 0.0;
+/// Empty when `text` may be told, else a stable word for why not. A digit that changes with how it is looked
+/// at is a guess, however sure Tesseract is of it: two of at most four looks have to agree.
+std::string TextReader::Engine::readLine(const LinePicture& line, std::string& text, double& confidence) {
+    std::string reason;
     std::vector<std::string> told;
+    confidence = 0.0;
     for (int look = 0; look < kLooks; ++look) {
         LineReading reading = reader.read(lookAt(line, look));
         std::string one;
@@ -175,18 +203,42 @@ void TextReader::Engine::readInto(const LinePicture& line, ImageSize size, Detec
         if (!why.empty()) continue;
         if (std::find(told.begin(), told.end(), one) != told.end()) {
             text = one;
-            break;
+            return "";
         }
         told.push_back(one);
     }
-    if (text.empty()) return reject(told.empty() ? reason : "unstable_reading", confidence);
-    Detection detection;
-    detection.kind = Kind::Text;
-    detection.text = text;
-    detection.quad = line.quad;
-    detection.image = size;
-    detection.score = std::clamp(confidence / 100.0, 0.0, 1.0);
-    result.detections.push_back(std::move(detection));
+    return told.empty() ? reason : "unstable_reading";
+}
+
+/// Two ways to cut a line out have to agree where more than one can be read: what the map does not hold has
+/// nothing else to be checked against.
+void TextReader::Engine::readInto(const Spot& spot, ImageSize size, DetectorResult& result) {
+    Rejection rejection{"text", Kind::Text, {}, spot.lines.front().quad, "", 0.0};
+    std::vector<Detection> told;
+    bool agreed = false;
+    for (std::size_t i = 0; i < spot.lines.size() && !agreed; ++i) {
+        const LinePicture& line = spot.lines[i];
+        double value = 0.0;
+        Detection detection;
+        std::string reason = whyNotWorthReading(line, value);
+        if (reason.empty()) reason = readLine(line, detection.text, value);
+        if (i == 0) rejection.reason = reason, rejection.value = value;
+        if (!reason.empty()) continue;
+        detection.kind = Kind::Text;
+        detection.quad = line.quad;
+        detection.image = size;
+        detection.score = std::clamp(value / 100.0, 0.0, 1.0);
+        agreed = lexicon.meant(detection.text).has_value() ||
+                 std::any_of(told.begin(), told.end(),
+                             [&](const Detection& d) { return d.text == detection.text; });
+        told.push_back(std::move(detection));
+    }
+    if (agreed || told.size() == 1) {
+        result.detections.push_back(std::move(told.back()));
+    } else {
+        if (!told.empty()) rejection.reason = "unstable_reading";
+        result.rejections.push_back(rejection);
+    }
 }
 
 TextReader::TextReader(std::unique_ptr<Engine> engine) : m_engine(std::move(engine)) {}
@@ -221,15 +273,16 @@ DetectorResult TextReader::readAt(const cv::Mat& image, const TextPlaces& places
                            [&](const Quad& known) { return coveredBy(box, boundingBox(known)) > 0.5; });
     };
     int left = places.maxLines.value_or(m_engine->options.maxLines);
-    for (const LinePicture& line : m_engine->linesIn(grey, wanted)) {
-        if (isKnown(line)) continue;
+    for (const Spot& spot : m_engine->spotsIn(grey, wanted)) {
+        const LinePicture& first = spot.lines.front();
+        if (isKnown(first)) continue;
         double value = 0.0;
-        std::string reason = m_engine->whyNotWorthReading(line, value);
-        if (!reason.empty()) {
-            result.rejections.push_back({"text", Kind::Text, {}, line.quad, reason, value});
+        std::string reason = m_engine->whyNotWorthReading(first, value);
+        if (!reason.empty() && spot.lines.size() == 1) {
+            result.rejections.push_back({"text", Kind::Text, {}, first.quad, reason, value});
         } else if (left > 0) {
             --left;
-            m_engine->readInto(line, {grey.cols, grey.rows}, result);
+            m_engine->readInto(spot, {grey.cols, grey.rows}, result);
         }
     }
     return result;

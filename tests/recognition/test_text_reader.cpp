@@ -132,6 +132,55 @@ TEST_F(Reading, WhereNothingIsWrittenNothingIsRead) {
     }
 }
 
+/// A wall of coloured grain that swallows the outline of what hangs on it.
+cv::Mat grainyWall(std::uint64_t seed) {
+    cv::Mat wall(480, 640, CV_8UC3);
+    cv::RNG noise(seed);
+    noise.fill(wall, cv::RNG::NORMAL, cv::Scalar::all(128), cv::Scalar::all(90));
+    cv::GaussianBlur(wall, wall, cv::Size(), 1.5);
+    return wall;
+}
+
+TEST_F(Reading, WhatStandsBesideAPlateIsNoPartOfItsLine) {
+    for (std::uint64_t seed = 1; seed < 4; ++seed) {
+        cv::Mat picture = grainyWall(seed);
+        cv::Mat plate(130, 300, CV_8UC3, cv::Scalar::all(235));
+        cv::putText(plate, "12.64", {30, 100}, cv::FONT_HERSHEY_DUPLEX, 2.6, cv::Scalar::all(20), 5,
+                    cv::LINE_AA);
+        test::hang(picture, plate, quadOf({220, 180, 160, 70}));
+        EXPECT_THAT(texts(s_reader->read(picture)), ElementsAre("12.64")) << seed;
+    }
+}
+
+TEST_F(Reading, ColumnsOfATableAreNotOneLine) {
+    cv::Mat picture(480, 640, CV_8UC3, cv::Scalar::all(120));
+    cv::rectangle(picture, cv::Rect(60, 180, 520, 90), cv::Scalar::all(230), cv::FILLED);
+    for (const auto& [text, x] : {std::pair{"LIFT", 90}, {"FLOOR", 400}})
+        cv::putText(picture, text, {x, 240}, cv::FONT_HERSHEY_DUPLEX, 1.4, cv::Scalar::all(20), 3,
+                    cv::LINE_AA);
+    EXPECT_THAT(texts(s_reader->read(picture, {quadOf({60, 180, 520, 90})})),
+                testing::UnorderedElementsAre("LIFT", "FLOOR"));
+}
+
+TEST(TextReader, ABoxOnTheWallIsNoFloorNumber) {
+    TextReaderOptions options;
+    options.words = {"0", "1", "2", "3", "4"};
+    auto reader = TextReader::create(options);
+    ASSERT_TRUE(reader);
+    cv::Mat picture(480, 640, CV_8UC3, cv::Scalar::all(190));
+    cv::rectangle(picture, cv::Rect(200, 200, 45, 63), cv::Scalar::all(90), cv::FILLED);
+    cv::rectangle(picture, cv::Rect(222, 220, 12, 14), cv::Scalar::all(190), cv::FILLED);
+    EXPECT_THAT(texts(reader->read(picture)), IsEmpty());
+}
+
+TEST_F(Reading, ANumberThatAPostMayHidePartOfIsNotTold) {
+    cv::Mat picture(480, 640, CV_8UC3, cv::Scalar::all(200));
+    cv::putText(picture, "13.03", {150, 260}, cv::FONT_HERSHEY_DUPLEX, 2.4, cv::Scalar::all(30), 5,
+                cv::LINE_AA);
+    cv::rectangle(picture, cv::Rect(120, 0, 75, 480), cv::Scalar::all(40), cv::FILLED);
+    for (const std::string& text : texts(s_reader->read(picture))) EXPECT_EQ(text, "13.03");
+}
+
 TEST(TextReader, MissingLanguagesAreToldWithTheirPackages) {
     TextReaderOptions options;
     options.languages = "xxx+yyy";

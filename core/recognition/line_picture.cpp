@@ -157,7 +157,8 @@ void lookBeside(LinePicture& line, const Ink& ink, const cv::Rect& box) {
         int shared = std::min(piece.br().y, box.br().y) - std::max(piece.y, box.y);
         int gap = std::max(piece.x, box.x) - std::min(piece.br().x, box.br().x);
         if (shared < box.height * 4 / 10 || gap > box.height * 6 / 10) continue;
-        if (edge) line.besideEdge = true;
+        // A plate's own edge stands further off than one letter from the next.
+        line.besideEdge = line.besideEdge || (edge && 4 * gap <= box.height);
         if (edge) continue;
         line.alone = false;
         if (piece.height > box.height * 14 / 10) continue;

@@ -209,7 +209,15 @@ void addLines(const cv::Mat& grey, const cv::Mat& mean, bool lightInk, double sc
     else
         cv::subtract(mean, grey, shifted);
     cv::threshold(shifted, ink, kStep, 255.0, cv::THRESH_BINARY);
-    for (const Line& line : linesOf(joined(glyphsOf(grey, ink, mean)))) {
+    // Halves are joined by guess, and a digit over the edge of a table is taken for one: lines of the pieces
+    // as they are stand beside those of the joined ones.
+    std::vector<Glyph> pieces = glyphsOf(grey, ink, mean);
+    std::vector<Line> lines = linesOf(joined(pieces));
+    std::sort(pieces.begin(), pieces.end(),
+              [](const Glyph& a, const Glyph& b) { return leftOf(a.box, b.box); });
+    for (Line& line : linesOf(pieces))
+        if (line.size() > 1) lines.push_back(std::move(line));
+    for (const Line& line : lines) {
         if (line.size() == 1 && !standsAlone(line[0], ink)) continue;
         InkLine one;
         one.quad = quadAround(line, 0.3);

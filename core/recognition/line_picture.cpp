@@ -6,6 +6,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include <algorithm>
+#include <climits>
 #include <cmath>
 
 namespace farol::recognition {
@@ -127,6 +128,9 @@ void countGlyphs(LinePicture& line, const std::vector<cv::Rect>& boxes, const cv
 void lookAtShape(LinePicture& line, const cv::Mat& mask) {
     line.fill = static_cast<double>(cv::countNonZero(mask)) /
                 std::max<double>(1.0, static_cast<double>(mask.total()));
+    cv::Mat inner = mask(cv::Rect(mask.cols * 3 / 10, mask.rows * 3 / 10, std::max(1, mask.cols * 4 / 10),
+                                  std::max(1, mask.rows * 4 / 10)));
+    line.middle = static_cast<double>(cv::countNonZero(inner)) / static_cast<double>(inner.total());
     std::vector<std::vector<cv::Point>> contours;
     std::vector<cv::Vec4i> tree;
     cv::findContours(mask, contours, tree, cv::RETR_CCOMP, cv::CHAIN_APPROX_SIMPLE);
@@ -245,6 +249,18 @@ bool standsOn(const Quad& plate, const Quad& strip, cv::Size flat, const cv::Rec
                                 false) >= 0;
 }
 
+/// A line does not go on behind what stands from top to bottom beside it: a post, or the wall beside a plate.
+void withinPosts(std::vector<cv::Rect>& boxes, const std::vector<cv::Rect>& cut, const cv::Rect& core,
+                 int rows) {
+    int left = 0, right = INT_MAX;
+    for (const cv::Rect& piece : cut) {
+        if (10 * piece.height < 9 * rows) continue;
+        if (piece.br().x <= core.x) left = std::max(left, piece.br().x);
+        if (piece.x >= core.br().x) right = std::min(right, piece.x);
+    }
+    std::erase_if(boxes, [&](const cv::Rect& b) { return b.x < left || b.br().x > right; });
+}
+
 } // namespace
 
 Quad drawnIn(const Quad& quad, double x, double y) {
@@ -291,6 +307,7 @@ std::optional<LinePicture> wholeLine(const cv::Mat& grey, const Quad& quad, bool
     for (const cv::Rect& b : boxes)
         if ((b & middle).area() > b.area() / 2 && b.height > 0.3 * flat.rows) box |= b;
     if (box.area() == 0) return std::nullopt;
+    withinPosts(boxes, ink.cut, box, flat.rows);
     box = grown(box, boxes);
     // What is no part of the line is wall, frame or another line: it is not painted.
     std::erase_if(boxes, [&](const cv::Rect& b) { return (b & box) != b; });

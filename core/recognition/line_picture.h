@@ -22,6 +22,7 @@ struct LinePicture {
     bool gap = false;                       ///< somewhere between the letters is room for a space
     double fill = 0.0;                      ///< share of the line's box that is ink
     int holes = 0;                          ///< closed rings of ink, as in 0, 4, 6, 8, 9
+    double middle = 0.0;                    ///< share of ink in the innermost part of the box
     bool besideEdge = false;                ///< a post or frame that may hide a letter stands at an end
     bool alone = true;                      ///< nothing else is written or drawn beside the line
     double aspect = 0.0;                    ///< width over height

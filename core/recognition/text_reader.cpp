@@ -57,6 +57,8 @@ bool standsOnItsOwn(const LinePicture& line, const std::string& text) {
     if (text == "1" || text == "I" || text == "l")
         return line.holes == 0 && line.aspect > 0.4 && line.aspect < 0.9;
     bool round = text == "0" || text == "O" || text == "o" || text == "Q" || text == "D";
+    // A ring with something in it is a sign that forbids.
+    if (round && line.middle > 0.1) return false;
     return line.aspect > 0.4 && line.aspect < (round ? 0.9 : 1.05);
 }
 

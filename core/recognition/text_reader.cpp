@@ -287,6 +287,10 @@ DetectorResult TextReader::readAt(const cv::Mat& image, const TextPlaces& places
             m_engine->readInto(spot, {grey.cols, grey.rows}, result);
         }
     }
+    std::stable_sort(result.detections.begin(), result.detections.end(),
+                     [](const Detection& a, const Detection& b) {
+                         return boundingBox(a.quad).centre().y < boundingBox(b.quad).centre().y;
+                     });
     return result;
 }
 

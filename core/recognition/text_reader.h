@@ -48,7 +48,7 @@ public:
     TextReader& operator=(TextReader&&) noexcept;
 
     /// Reads plates found by detectRectangles (or finds them itself when `plates` is empty), and lines of
-    /// letters anywhere. Detections of kind Text.
+    /// letters anywhere. Detections of kind Text, from top to bottom.
     DetectorResult read(const cv::Mat& image, const std::vector<Quad>& plates = {}) const;
     DetectorResult readAt(const cv::Mat& image, const TextPlaces& places) const;
 

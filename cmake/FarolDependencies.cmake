@@ -1,7 +1,7 @@
 # Every outside library, found in one place. Debian 12 has them all; see the package list in ./dev.
 find_package(Threads REQUIRED)
 # Named components only: Debian's highgui pulls in Qt 5.
-find_package(OpenCV REQUIRED COMPONENTS core imgproc features2d flann calib3d imgcodecs videoio video)
+find_package(OpenCV REQUIRED COMPONENTS core imgproc features2d flann calib3d imgcodecs videoio video dnn)
 find_package(GDAL CONFIG REQUIRED)
 find_package(EXPAT REQUIRED)
 find_package(nlohmann_json REQUIRED)

@@ -4,7 +4,9 @@
 #include "core/capture/picture.h"
 #include "core/recognition/door_detector.h"
 #include "core/recognition/landmark_recogniser.h"
+#include "core/recognition/network_detector.h"
 #include "core/recognition/rectangle_detector.h"
+#include "core/recognition/sign_detector.h"
 #include "core/recognition/stairs_detector.h"
 #include "core/recognition/text_reader.h"
 
@@ -133,37 +135,89 @@ int recognise(const std::string& path, const std::vector<std::string>& sources, 
         });
 }
 
-int detect(const std::vector<std::string>& only, const std::vector<std::string>& sources, bool jsonLines) {
-    auto wanted = [&](const char* name) { return std::find(only.begin(), only.end(), name) != only.end(); };
-    for (const std::string& name : only)
-        if (name != "doors" && name != "stairs" && name != "rectangles" && name != "text")
+struct DetectArguments {
+    std::vector<std::string> sources;
+    std::vector<std::string>
+        only; ///< empty: all of ours, or none of them beside a detector of the user's own
+    std::string detector;
+    bool jsonLines = false;
+};
+
+/// Those that keep something from picture to picture, or are slow to begin.
+struct Detectors {
+    std::unique_ptr<TextReader> reader;
+    std::unique_ptr<SignDetector> signs;
+    std::unique_ptr<NetworkDetector> own;
+};
+
+const std::vector<std::string>& detectorNames() {
+    static const std::vector<std::string> kNames{"doors", "stairs", "rectangles", "signs", "text"};
+    return kNames;
+}
+
+int detect(const DetectArguments& arguments) {
+    const auto& known = detectorNames();
+    for (const std::string& name : arguments.only)
+        if (std::find(known.begin(), known.end(), name) == known.end())
             return report(
                 {ErrorCode::InvalidArgument,
-                 "there is no detector \"" + name + "\"; there are doors, stairs, rectangles and text",
+                 "there is no detector \"" + name + "\"; there are doors, stairs, rectangles, signs and text",
                  "--only"});
-    std::unique_ptr<TextReader> reader;
+    bool all = arguments.only.empty() && arguments.detector.empty();
+    auto wanted = [&](const char* name) {
+        return all || std::find(arguments.only.begin(), arguments.only.end(), name) != arguments.only.end();
+    };
+    Detectors detectors;
     if (wanted("text")) {
         auto made = TextReader::create();
         if (!made) return report(made.error());
-        reader = std::make_unique<TextReader>(std::move(*made));
+        detectors.reader = std::make_unique<TextReader>(std::move(*made));
+    }
+    if (wanted("signs")) detectors.signs = std::make_unique<SignDetector>();
+    if (!arguments.detector.empty()) {
+        auto loaded = NetworkDetector::load(arguments.detector);
+        if (!loaded) return report(loaded.error());
+        detectors.own = std::make_unique<NetworkDetector>(std::move(*loaded));
     }
     auto look = [&](const cv::Mat& image) {
         DetectorResult result;
         if (wanted("doors")) result.append(detectDoors(image));
         if (wanted("stairs")) result.append(detectStairs(image));
         if (wanted("rectangles")) result.append(detectRectangles(image));
-        if (reader) result.append(reader->read(image));
+        if (detectors.signs) result.append(detectors.signs->detect(image));
+        if (detectors.own) result.append(detectors.own->detect(image));
+        if (detectors.reader) result.append(detectors.reader->read(image));
         return result;
     };
-    return lookAtAll(sources, jsonLines, look, [](const Detection& d) {
+    return lookAtAll(arguments.sources, arguments.jsonLines, look, [](const Detection& d) {
         Json json;
         json["kind"] = std::string(kindName(d.kind));
         json["quad"] = quadJson(d.quad);
         json["zone"] = std::string(zoneName(d.zone()));
         json["score"] = rounded(d.score, 10000.0);
-        if (d.kind == Kind::Text) json["text"] = d.text;
+        if (d.kind == Kind::Text || !d.text.empty()) json["text"] = d.text;
         return json;
     });
+}
+
+void addDetect(CLI::App& app, int& exitCode) {
+    auto arguments = std::make_shared<DetectArguments>();
+    CLI::App* detecting =
+        app.add_subcommand("detect", "Find doors, stairs, rectangles, signs and text in pictures");
+    detecting->footer("Examples:\n  farol-cli detect --only doors,text corridor.jpg --json-lines\n"
+                      "  farol-cli detect --detector signs.json walk/\n"
+                      "A detector of your own is an ONNX file and a description of it in JSON: see "
+                      "docs/own-detector.md.\n");
+    detecting
+        ->add_option("--only", arguments->only, "Detectors to run: doors, stairs, rectangles, signs, text")
+        ->delimiter(',');
+    detecting->add_option("--detector", arguments->detector,
+                          "Description (*.json) of a detector of your own; of ours only those of --only run "
+                          "beside it");
+    detecting->add_option("pictures", arguments->sources, "Pictures, folders of pictures, videos")
+        ->required();
+    detecting->add_flag("--json-lines", arguments->jsonLines, "One JSON object a picture");
+    detecting->callback([arguments, &exitCode] { exitCode = detect(*arguments); });
 }
 
 } // namespace
@@ -172,7 +226,6 @@ void addRecogniseCommands(CLI::App& app, int& exitCode) {
     struct Arguments {
         std::string library;
         std::vector<std::string> sources;
-        std::vector<std::string> only{"doors", "stairs", "rectangles", "text"};
         bool jsonLines = false;
     };
     auto arguments = std::make_shared<Arguments>();
@@ -185,16 +238,7 @@ void addRecogniseCommands(CLI::App& app, int& exitCode) {
     recognising->callback([arguments, &exitCode] {
         exitCode = recognise(arguments->library, arguments->sources, arguments->jsonLines);
     });
-    CLI::App* detecting = app.add_subcommand("detect", "Find doors, stairs, rectangles and text in pictures");
-    detecting->footer("Example:\n  farol-cli detect --only doors,text corridor.jpg --json-lines");
-    detecting->add_option("--only", arguments->only, "Detectors to run: doors, stairs, rectangles, text")
-        ->delimiter(',');
-    detecting->add_option("pictures", arguments->sources, "Pictures, folders of pictures, videos")
-        ->required();
-    detecting->add_flag("--json-lines", arguments->jsonLines, "One JSON object a picture");
-    detecting->callback([arguments, &exitCode] {
-        exitCode = detect(arguments->only, arguments->sources, arguments->jsonLines);
-    });
+    addDetect(app, exitCode);
 }
 
 } // namespace farol::cli

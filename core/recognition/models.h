@@ -6,5 +6,7 @@
 namespace farol::recognition {
 
 std::string_view doorTrees();
+/// An ONNX file.
+std::string_view signNetwork();
 
 } // namespace farol::recognition

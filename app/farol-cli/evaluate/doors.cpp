@@ -1,5 +1,6 @@
 // Doors on photographs: boxes of the door set, and the labelled frames of the corridor walk.
 
+#include "app/farol-cli/evaluate/box_scores.h"
 #include "app/farol-cli/evaluate/data_set.h"
 #include "app/farol-cli/evaluate/evaluation.h"
 #include "core/capture/picture.h"
@@ -18,22 +19,10 @@ namespace fs = std::filesystem;
 using recognition::Detection;
 
 struct Tally {
-    int pictures = 0, doors = 0, found = 0, wrong = 0, picturesWithAny = 0;
+    int pictures = 0, picturesWithAny = 0;
+    BoxScores doors;
     std::vector<double> milliseconds;
 };
-
-/// YOLO form: class, centre and size as shares of the picture; class 0 is a door.
-std::vector<ImageBox> doorBoxes(const fs::path& labels, cv::Size size) {
-    std::vector<ImageBox> boxes;
-    std::ifstream in(labels);
-    int kind = 0;
-    double x = 0.0, y = 0.0, w = 0.0, h = 0.0;
-    while (in >> kind >> x >> y >> w >> h)
-        if (kind == 0)
-            boxes.push_back(
-                {(x - w / 2.0) * size.width, (y - h / 2.0) * size.height, w * size.width, h * size.height});
-    return boxes;
-}
 
 std::vector<Detection> look(const cv::Mat& image, Tally& tally) {
     double start = cpuMilliseconds();
@@ -44,39 +33,15 @@ std::vector<Detection> look(const cv::Mat& image, Tally& tally) {
     return found;
 }
 
-void book(const std::vector<Detection>& found, const std::vector<ImageBox>& boxes, Tally& tally) {
-    std::vector<bool> met(boxes.size(), false);
-    for (const Detection& d : found) {
-        bool hit = false;
-        for (std::size_t i = 0; i < boxes.size() && !hit; ++i) {
-            if (met[i] || overlap(boundingBox(d.quad), boxes[i]) < 0.5) continue;
-            met[i] = hit = true;
-        }
-        (hit ? tally.found : tally.wrong) += 1;
-    }
-    tally.doors += static_cast<int>(boxes.size());
-}
-
-EvaluationJson share(int part, int whole) {
-    if (whole == 0) return nullptr;
-    return std::round(1000.0 * part / whole) / 1000.0;
-}
-
-EvaluationJson middle(std::vector<double> values) {
-    if (values.empty()) return nullptr;
-    std::sort(values.begin(), values.end());
-    return std::round(10.0 * values[values.size() / 2]) / 10.0;
-}
-
 std::vector<EvaluationJson> rowOf(const std::string& name, const Tally& t, const std::string& goal) {
     return {name,
             t.pictures,
-            t.doors,
-            t.found,
-            t.wrong,
-            share(t.found, t.doors),
-            share(t.found, t.found + t.wrong),
-            middle(t.milliseconds),
+            t.doors.boxes,
+            t.doors.found,
+            t.doors.wrong,
+            shareCell(t.doors.found, t.doors.boxes),
+            shareCell(t.doors.found, t.doors.found + t.doors.wrong),
+            medianCell(t.milliseconds),
             goal};
 }
 
@@ -97,8 +62,8 @@ Result<void> photographs(const fs::path& doors, EvaluationTable& table) {
         std::string half = shareOf(name, 2) == 0 ? "development half" : "other half";
         Tally& tally = tallies[rows->cell(i, "scene") + ", " + half];
         auto found = look(*image, tally);
-        book(found, doorBoxes(doors / "labels" / fs::path(name).replace_extension(".txt"), image->size()),
-             tally);
+        tally.doors.book(
+            found, yoloBoxes(doors / "labels" / fs::path(name).replace_extension(".txt"), image->size()));
         progress.step();
     }
     for (const auto& [name, tally] : tallies)
@@ -108,9 +73,9 @@ Result<void> photographs(const fs::path& doors, EvaluationTable& table) {
         for (const char* scene : {"office_like, ", "no_door, "}) {
             const Tally& t = tallies[std::string(scene) + half];
             both.pictures += t.pictures;
-            both.doors += t.doors;
-            both.found += t.found;
-            both.wrong += t.wrong;
+            both.doors.boxes += t.doors.boxes;
+            both.doors.found += t.doors.found;
+            both.doors.wrong += t.doors.wrong;
             both.milliseconds.insert(both.milliseconds.end(), t.milliseconds.begin(), t.milliseconds.end());
         }
         table.rows.push_back(
@@ -134,9 +99,9 @@ Result<void> corridor(const fs::path& walk, EvaluationTable& table) {
         std::string lap = i < 40 ? "first lap (trained on)" : "second lap";
         Tally& tally = tallies[label + ", " + lap];
         bool any = !look(*image, tally).empty();
-        tally.doors += label == "yes" ? 1 : 0;
-        tally.found += label == "yes" && any ? 1 : 0;
-        tally.wrong += label == "no" && any ? 1 : 0;
+        tally.doors.boxes += label == "yes" ? 1 : 0;
+        tally.doors.found += label == "yes" && any ? 1 : 0;
+        tally.doors.wrong += label == "no" && any ? 1 : 0;
         progress.step();
     }
     for (const auto& [name, tally] : tallies)

@@ -41,6 +41,7 @@ Result<EvaluationReport> evaluateLocalisation(const std::filesystem::path& data)
 Result<EvaluationReport> evaluatePlaces(const std::filesystem::path& data);
 Result<EvaluationReport> evaluateRecognition(const std::filesystem::path& data);
 Result<EvaluationReport> evaluateScenes(const std::filesystem::path& data);
+Result<EvaluationReport> evaluateSigns(const std::filesystem::path& data);
 Result<EvaluationReport> evaluateStairs(const std::filesystem::path& data);
 Result<EvaluationReport> evaluateText(const std::filesystem::path& data);
 

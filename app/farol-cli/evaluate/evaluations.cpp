@@ -9,6 +9,7 @@ const std::vector<Evaluation>& evaluations() {
         {"places", "which floor: places of a tower, its publishers' split", evaluatePlaces},
         {"recognition", "trained planes in composed frames, 100 and 1000 templates", evaluateRecognition},
         {"scenes", "how alike frames of one scene and of different ones are", evaluateScenes},
+        {"signs", "exit signs of photographs, and what is mistaken for signs", evaluateSigns},
         {"stairs", "stairs of photographs, and what is mistaken for them", evaluateStairs},
         {"text", "floor plates, room numbers and blurred signs", evaluateText},
     };

@@ -17,5 +17,6 @@ void addLocateCommand(CLI::App& app, int& exitCode);     ///< locate
 void addRunCommands(CLI::App& app, int& exitCode);       ///< run, replay
 void addEvaluateCommand(CLI::App& app, int& exitCode);   ///< evaluate
 void addSurveyCommand(CLI::App& app, int& exitCode);     ///< survey
+void addSimulateCommand(CLI::App& app, int& exitCode);   ///< simulate
 
 } // namespace farol::cli

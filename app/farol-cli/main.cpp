@@ -19,6 +19,7 @@ int main(int argc, char** argv) {
     farol::cli::addLocateCommand(app, exitCode);
     farol::cli::addRunCommands(app, exitCode);
     farol::cli::addSurveyCommand(app, exitCode);
+    farol::cli::addSimulateCommand(app, exitCode);
     farol::cli::addEvaluateCommand(app, exitCode);
     try {
         app.parse(argc, argv);

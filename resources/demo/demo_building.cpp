@@ -57,7 +57,8 @@ Thing vendingMachine(const std::string& name) {
     return {Kind::VendingMachine, name, "", 0.92, 0.9, 1.83};
 }
 
-/// Doors with the number of the room beside them, on the left as one stands before the door.
+/// Doors with the number of the room beside them, on the left as one stands before the door, and on the plan
+/// of the ways out that hangs beside it within.
 void numberedDoor(Draughtsman& draw, const RegionId& corridor, const RegionId& room, const std::string& ref,
                   Point2 at, double facing, double widthM = 0.9) {
     draw.door(corridor, room, at, facing, widthM);
@@ -65,6 +66,7 @@ void numberedDoor(Draughtsman& draw, const RegionId& corridor, const RegionId& r
                        ? Point2{facing == kNorth ? kSignAside : -kSignAside, 0.0}
                        : Point2{0.0, facing == kEast ? -kSignAside : kSignAside};
     draw.landmark(corridor, roomSign(ref), at + aside, facing);
+    draw.landmark(room, roomSign(ref), at + aside, facing + 180.0);
 }
 
 struct Wing {
@@ -129,6 +131,7 @@ void drawSmallRooms(Draughtsman& draw, const Wing& wing, const RegionId& corrido
                     {from, 13.6, from + 2.0, kCorridorSouth});
     draw.door(corridor, south, {middle - 0.3, kCorridorSouth}, kNorth, 0.8);
     draw.landmark(corridor, roomSign(ref), {middle + 0.5, kCorridorSouth}, kNorth);
+    draw.landmark(south, roomSign(ref), {middle + 0.5, kCorridorSouth}, kSouth);
     if (wing.lift) return;
     std::string next = draw.ref(wing.firstNumber + 11);
     RegionId north = draw.region(wing.name + "-copies", RegionKind::Room,
@@ -136,6 +139,7 @@ void drawSmallRooms(Draughtsman& draw, const Wing& wing, const RegionId& corrido
                                  {from, kCorridorNorth, from + 2.0, 20.8});
     draw.door(corridor, north, {middle + 0.3, kCorridorNorth}, kSouth, 0.8);
     draw.landmark(corridor, roomSign(next), {middle - 0.5, kCorridorNorth}, kSouth);
+    draw.landmark(north, roomSign(next), {middle - 0.5, kCorridorNorth}, kNorth);
 }
 
 RegionId drawStairwell(Draughtsman& draw, const Wing& wing, const RegionId& corridor) {

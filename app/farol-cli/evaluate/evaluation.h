@@ -37,6 +37,7 @@ struct Evaluation {
 const std::vector<Evaluation>& evaluations();
 
 Result<EvaluationReport> evaluateDoors(const std::filesystem::path& data);
+Result<EvaluationReport> evaluateGuidance(const std::filesystem::path& data);
 Result<EvaluationReport> evaluateLocalisation(const std::filesystem::path& data);
 Result<EvaluationReport> evaluatePlaces(const std::filesystem::path& data);
 Result<EvaluationReport> evaluateRecognition(const std::filesystem::path& data);

@@ -5,6 +5,7 @@ namespace farol::cli {
 const std::vector<Evaluation>& evaluations() {
     static const std::vector<Evaluation> kAll{
         {"doors", "doors of photographs and of the corridor walk", evaluateDoors},
+        {"guidance", "does a walker who hears nothing but cues arrive?", evaluateGuidance},
         {"localisation", "where am I: four localisers on recorded walks", evaluateLocalisation},
         {"places", "which floor: places of a tower, its publishers' split", evaluatePlaces},
         {"recognition", "trained planes in composed frames, 100 and 1000 templates", evaluateRecognition},

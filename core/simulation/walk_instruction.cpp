@@ -1,0 +1,146 @@
+#include "core/simulation/walk_instruction.h"
+
+#include "core/guidance/clock.h"
+
+#include <cmath>
+
+namespace farol::simulation {
+
+using guidance::Cue;
+using guidance::CueKind;
+using guidance::SweepStep;
+using guidance::TurnWord;
+using routing::Manoeuvre;
+using routing::ManoeuvreKind;
+
+namespace {
+
+/// A turn as people hear it: in the middle of its word's range.
+Radians heard(Radians turn) {
+    switch (guidance::turnWord(turn)) {
+    case TurnWord::Straight:
+        return fromDegrees(0.0);
+    case TurnWord::SlightLeft:
+        return fromDegrees(45.0);
+    case TurnWord::Left:
+        return fromDegrees(90.0);
+    case TurnWord::SharpLeft:
+        return fromDegrees(135.0);
+    case TurnWord::Back:
+        return fromDegrees(180.0);
+    case TurnWord::SharpRight:
+        return fromDegrees(-135.0);
+    case TurnWord::Right:
+        return fromDegrees(-90.0);
+    case TurnWord::SlightRight:
+        return fromDegrees(-45.0);
+    }
+    return {};
+}
+
+Feature featureOf(ManoeuvreKind kind) {
+    switch (kind) {
+    case ManoeuvreKind::Door:
+        return Feature::Door;
+    case ManoeuvreKind::Opening:
+        return Feature::Opening;
+    case ManoeuvreKind::Stairs:
+        return Feature::Stairs;
+    case ManoeuvreKind::Elevator:
+        return Feature::Elevator;
+    case ManoeuvreKind::Escalator:
+        return Feature::Escalator;
+    case ManoeuvreKind::Ramp:
+        return Feature::Ramp;
+    case ManoeuvreKind::Turn:
+        return Feature::Turn;
+    case ManoeuvreKind::Start:
+    case ManoeuvreKind::Arrive:
+        break;
+    }
+    return Feature::None;
+}
+
+WalkTask taskOf(const std::optional<Manoeuvre>& manoeuvre) {
+    WalkTask task;
+    if (!manoeuvre) return task;
+    task.feature = featureOf(manoeuvre->kind);
+    task.vertical = manoeuvre->vertical;
+    bool turns =
+        task.feature == Feature::Door || task.feature == Feature::Opening || task.feature == Feature::Turn;
+    if (turns && std::isfinite(manoeuvre->turn.value)) task.turn = heard(manoeuvre->turn);
+    task.side = manoeuvre->side;
+    task.number = manoeuvre->number;
+    return task;
+}
+
+void takeTasks(const Cue& cue, WalkInstruction& instruction) {
+    std::optional<Manoeuvre> first = cue.manoeuvre, second = cue.next;
+    if (first && first->kind == ManoeuvreKind::Start && second) {
+        first = second;
+        second.reset();
+    }
+    instruction.task = taskOf(first);
+    instruction.then = taskOf(second);
+    instruction.task.into = cue.intoName;
+    if (instruction.task.feature == Feature::Elevator) instruction.task.level = cue.levelName;
+    instruction.turnFirst = cue.turnFirst;
+    if (instruction.turnFirst) instruction.turnFirst = heard(*instruction.turnFirst);
+    instruction.hour = cue.hour;
+    if (cue.distanceM && cue.sure) instruction.distanceM = std::round(*cue.distanceM);
+}
+
+} // namespace
+
+bool sameTask(const WalkTask& a, const WalkTask& b) {
+    return a.feature == b.feature && a.vertical == b.vertical && a.into == b.into && a.level == b.level;
+}
+
+WalkInstruction instructionOf(const Cue& cue) {
+    WalkInstruction instruction;
+    switch (cue.kind) {
+    case CueKind::RouteStart:
+        // Its distance is that of the whole way.
+        takeTasks(cue, instruction);
+        instruction.distanceM.reset();
+        instruction.order = Order::Go;
+        break;
+    case CueKind::Prepare:
+    case CueKind::Act:
+        takeTasks(cue, instruction);
+        instruction.now = cue.kind == CueKind::Act;
+        instruction.order = Order::Go;
+        break;
+    case CueKind::OffRoute:
+        takeTasks(cue, instruction);
+        instruction.astray = true;
+        instruction.order = instruction.task.feature == Feature::None ? Order::Halt : Order::Go;
+        break;
+    case CueKind::Reassure:
+        instruction.order = Order::GoOn;
+        break;
+    case CueKind::Arrived:
+    case CueKind::AlreadyThere:
+        instruction.order = Order::Arrived;
+        break;
+    case CueKind::Unsure:
+        instruction.order = Order::Sweep;
+        instruction.sweep = cue.sweep == SweepStep::None ? SweepStep::Right : cue.sweep;
+        break;
+    case CueKind::NoRoute:
+        instruction.order = Order::Halt;
+        break;
+    case CueKind::Warning:
+        if (cue.reason == guidance::CueReason::CameraLost ||
+            cue.reason == guidance::CueReason::PictureCovered)
+            instruction.order = Order::Halt;
+        break;
+    case CueKind::Located:
+    case CueKind::Detection:
+    case CueKind::Text:
+        break;
+    }
+    return instruction;
+}
+
+} // namespace farol::simulation

@@ -1,0 +1,44 @@
+#pragma once
+// What an obedient walker takes from a cue: no more than its sentence says. Neither the route nor any place
+// on the map is in it. `Cue`s are reduced to it, and a sentence can be parsed back into it.
+
+#include "core/guidance/cue.h"
+
+#include <optional>
+#include <string>
+
+namespace farol::simulation {
+
+/// What is to be found and taken, or done.
+enum class Feature { None, Door, Opening, Stairs, Elevator, Escalator, Ramp, Turn };
+
+struct WalkTask {
+    Feature feature = Feature::None;
+    routing::Vertical vertical = routing::Vertical::None;
+    std::optional<Radians>
+        turn{}; ///< as a turn word has it: 45, 90, 135 or 180 degrees, left positive; 0: straight on
+    routing::Side side = routing::Side::None;
+    int number = 0;      ///< the how-manyeth on that side; 0: not told
+    std::string level{}; ///< of a lift: what to choose
+    std::string into{};  ///< the place it leads to, by name: tells one order from another
+};
+
+enum class Order { Inform, Go, GoOn, Halt, Sweep, Arrived };
+
+struct WalkInstruction {
+    Order order = Order::Inform;
+    bool now = false;    ///< to be done at once
+    bool astray = false; ///< the way was left: what was known of it is void
+    guidance::SweepStep sweep = guidance::SweepStep::None;
+    std::optional<Radians> turnFirst;
+    std::optional<int> hour;
+    std::optional<double> distanceM;
+    WalkTask task, then;
+};
+
+/// Is it the same thing to do?
+bool sameTask(const WalkTask& a, const WalkTask& b);
+
+WalkInstruction instructionOf(const guidance::Cue& cue);
+
+} // namespace farol::simulation

@@ -7,9 +7,11 @@
 #include "core/building/geopackage.h"
 #include "core/session/navigation_session.h"
 #include "core/session/recorder.h"
+#include "core/simulation/walk_source.h"
 
 #include <QCoreApplication>
 
+#include <cstring>
 #include <map>
 #include <utility>
 
@@ -21,6 +23,7 @@ struct RunOptions {
     std::string map, library, source, from, to, localiser = "voting", verbosity = "objects", record,
                                                 language = "en";
     double framesPerSecond = 0.0;
+    std::uint64_t seed = 1;
     bool realTime = false, speak = false, jsonLines = false;
 };
 
@@ -29,13 +32,17 @@ struct ReplayOptions {
     bool jsonLines = false;
 };
 
+constexpr char kSimulated[] = "sim:";
+
 constexpr char kRunExamples[] =
     "Examples:\n"
     "  farol-cli run --map office.gpkg --library office-library.gpkg --source pictures/ --fps 1 --to \"Room "
     "2.14\"\n"
     "  farol-cli run --map office.gpkg --source camera:0 --to cafe --speak --lang pt --record monday/\n"
     "  farol-cli run --map office.gpkg --source walk.mp4 --json-lines > walk.jsonl\n"
-    "SOURCE: camera:0, a video file, a folder of pictures in natural order, an http or rtsp address.\n"
+    "  farol-cli run --map office.gpkg --library office-library.gpkg --source \"sim:Bar\" --to 2.14\n"
+    "SOURCE: camera:0, a video file, a folder of pictures in natural order, an http or rtsp address, or\n"
+    "sim:WHERE, a simulated walker who starts there and hears what is said.\n"
     "WHERE: a region id, a unique name or ref, or x,y,level. Ctrl-C ends the walk.\n";
 constexpr char kReplayExamples[] = "Examples:\n"
                                    "  farol-cli replay monday/\n"
@@ -77,11 +84,40 @@ session::SessionOptions sessionOptions(const RunOptions& options) {
     return session;
 }
 
-session::SessionHandlers handlersFor(WalkPrinter& printer, WalkSpeech* speech) {
+/// The simulated walker of sim:WHERE; null for all other sources, and where `exitCode` tells of a failure.
+std::unique_ptr<simulation::WalkSource>
+openSimulation(const RunOptions& options, const std::shared_ptr<const building::Building>& building,
+               const recognition::LandmarkLibrary* library, bool inTime, int& exitCode) {
+    std::optional<building::Location> start;
+    std::string where = options.source.substr(std::strlen(kSimulated));
+    if (where.empty()) {
+        exitCode = report(
+            {ErrorCode::InvalidArgument, "tell where the simulated walk starts: sim:WHERE", "--source"});
+        return nullptr;
+    }
+    if (!findPlace(*building, "--source", where, start, exitCode)) return nullptr;
+    auto world = simulation::buildWorld(building, {}, library);
+    if (!world) {
+        exitCode = report(world.error());
+        return nullptr;
+    }
+    simulation::WalkSourceOptions walk;
+    walk.walker.seed = walk.camera.seed = options.seed;
+    walk.camera.shake = simulation::Shake::Chest;
+    if (options.framesPerSecond > 0.0) walk.framesPerSecond = options.framesPerSecond;
+    walk.waitsForAnswers = !inTime;
+    auto source = simulation::WalkSource::create(*world, *start, walk);
+    if (source) return std::move(source).value();
+    exitCode = report(source.error());
+    return nullptr;
+}
+
+session::SessionHandlers handlersFor(WalkPrinter& printer, WalkSpeech* speech, simulation::WalkSource* walk) {
     session::SessionHandlers handlers;
-    handlers.step = [&printer, speech](const session::NavigationStep& step, const session::HopTimes&) {
+    handlers.step = [&printer, speech, walk](const session::NavigationStep& step, const session::HopTimes&) {
         printer.step(step);
         if (speech != nullptr) speech->step(step);
+        if (walk != nullptr) walk->answer(step.percept.frame, step.cues);
     };
     handlers.warning = [&printer, speech](const guidance::Cue& cue) {
         printer.warning(cue);
@@ -126,17 +162,29 @@ int run(const RunOptions& options) {
     if (!findPlace(*building, "--to", options.to, destination, exitCode)) return exitCode;
     std::shared_ptr<const recognition::LandmarkLibrary> library;
     if (!openLibrary(options.library, options.map, library, exitCode)) return exitCode;
-    capture::SourceOptions sourceOptions;
-    sourceOptions.framesPerSecond = options.framesPerSecond;
-    auto source = capture::openSource(options.source, sourceOptions);
-    if (!source) return report(source.error());
+    simulation::WalkSource* walker = nullptr;
+    std::unique_ptr<capture::FrameSource> source;
+    session::SessionOptions sessionSettings = sessionOptions(options);
+    if (options.source.rfind(kSimulated, 0) == 0) {
+        bool inTime = sessionSettings.pace == session::Pace::RealTime;
+        auto simulated = openSimulation(options, building, library.get(), inTime, exitCode);
+        if (!simulated) return exitCode;
+        walker = simulated.get();
+        source = std::move(simulated);
+    } else {
+        capture::SourceOptions sourceOptions;
+        sourceOptions.framesPerSecond = options.framesPerSecond;
+        auto opened = capture::openSource(options.source, sourceOptions);
+        if (!opened) return report(opened.error());
+        source = std::move(opened).value();
+    }
 
     WalkPrinter printer(options.jsonLines, building);
     std::optional<WalkSpeech> speech;
     if (options.speak) speech.emplace(options.language);
-    auto session = session::NavigationSession::create(building, library, std::move(source).value(),
-                                                      sessionOptions(options),
-                                                      handlersFor(printer, speech ? &*speech : nullptr));
+    auto session =
+        session::NavigationSession::create(building, library, std::move(source), sessionSettings,
+                                           handlersFor(printer, speech ? &*speech : nullptr, walker));
     if (!session) return report(session.error());
     if (start) (*session)->setStart(start->region);
     if (destination) (*session)->setDestination(destination);
@@ -175,6 +223,7 @@ void addRun(CLI::App& app, int& exitCode) {
     command->add_option("--source", options->source, "Where the pictures come from")->required();
     command->add_option("--fps", options->framesPerSecond, "Pictures a second of a folder (default 1)")
         ->check(CLI::Range(0.01, 1000.0));
+    command->add_option("--seed", options->seed, "Of a simulated walk")->capture_default_str();
     command->add_option("--from", options->from, "Where the walk starts, if that is known (WHERE)");
     command->add_option("--to", options->to, "Destination (WHERE)");
     command->add_option("--localiser", options->localiser, "voting, voting-literal or bayes")

@@ -1,21 +1,26 @@
 #include "app/farol-cli/commands.h"
 #include "app/farol-cli/evaluate/guidance.h"
+#include "app/farol-cli/interrupt.h"
 #include "app/farol-cli/output.h"
+#include "app/farol-cli/simulated_frames.h"
 #include "app/farol-cli/walk_inputs.h"
-#include "core/session/closed_loop.h"
+#include "core/session/closed_loop_picture.h"
 #include "core/session/json_fields.h"
+#include "core/simulation/walk_route.h"
 
+#include <atomic>
 #include <cmath>
+#include <utility>
 
 namespace farol::cli {
 
 namespace {
 
 struct SimulateOptions {
-    std::string map, from, to, localiser = "bayes";
+    std::string map, library, from, to, out, localiser = "bayes";
     std::uint64_t seed = 1;
     bool obey = false, noVision = false, json = false, unknownStart = false;
-    double wilfulness = 0.0;
+    double wilfulness = 0.0, framesPerSecond = 5.0, clutter = 0.3;
     int walks = 0;
 };
 
@@ -43,10 +48,120 @@ session::ClosedLoopOptions loopOptions(const SimulateOptions& options) {
     loop.knownStart = !options.unknownStart;
     loop.walker.seed = options.seed;
     loop.walker.wilfulness = options.wilfulness;
+    loop.framesPerSecond = options.framesPerSecond;
     return loop;
 }
 
-int walkOne(const SimulateOptions& options, const std::shared_ptr<const simulation::WalkWorld>& world) {
+/// What a walk with pictures needs, opened once for all walks.
+class Studio {
+public:
+    static std::optional<Studio> open(const SimulateOptions& options,
+                                      const std::shared_ptr<const building::Building>& building,
+                                      int& exitCode) {
+        Studio studio;
+        if (!openLibrary(options.library, options.map, studio.m_library, exitCode)) return std::nullopt;
+        simulation::SceneOptions scene;
+        scene.clutter = options.clutter;
+        auto world = simulation::buildWorld(building, scene, studio.m_library.get());
+        if (!world) {
+            exitCode = report(world.error());
+            return std::nullopt;
+        }
+        studio.m_world.emplace(std::move(world).value());
+        return studio;
+    }
+
+    const simulation::World& world() const { return *m_world; }
+    Result<session::ClosedLoop::Eye> eye(std::uint64_t seed, session::PictureWatcher watcher = {}) {
+        simulation::CameraOptions camera;
+        camera.seed = seed;
+        camera.shake = simulation::Shake::Chest;
+        std::vector<std::string> warnings;
+        auto made = session::pictureEye(*m_world, camera, m_library, {}, std::move(watcher), warnings);
+        if (!std::exchange(m_warned, true)) warnAll(warnings);
+        return made;
+    }
+
+private:
+    std::shared_ptr<const recognition::LandmarkLibrary> m_library;
+    std::optional<simulation::World> m_world;
+    bool m_warned = false;
+};
+
+Result<session::ClosedLoop::Eye> eyeOf(const SimulateOptions& options, std::optional<Studio>& studio,
+                                       const std::shared_ptr<const simulation::WalkWorld>& world,
+                                       const std::shared_ptr<SimulatedFrames>& frames) {
+    if (!studio) {
+        simulation::TruthDetectionOptions detections;
+        detections.seed = options.seed;
+        return session::truthEye(world, detections);
+    }
+    session::PictureWatcher watcher;
+    if (frames)
+        watcher = [frames](std::uint64_t index, const simulation::RenderedFrame& picture) {
+            return frames->write(index, picture);
+        };
+    return studio->eye(options.seed, std::move(watcher));
+}
+
+int obey(const SimulateOptions& options, const std::shared_ptr<const simulation::WalkWorld>& world,
+         const building::Location& from, const building::Location& to, std::optional<Studio>& studio,
+         const std::shared_ptr<SimulatedFrames>& frames) {
+    auto eye = eyeOf(options, studio, world, frames);
+    if (!eye) return report(eye.error());
+    auto loop = session::ClosedLoop::create(world, from, to, loopOptions(options), std::move(eye).value());
+    if (!loop) return report(loop.error());
+    auto result = (*loop)->run();
+    if (!result) return report(result.error());
+    if (options.json) {
+        printLine(session::dumped(jsonOf(*result)));
+    } else {
+        std::printf("%s: %.1f s, %.1f m (shortest %.1f m), %d cues, %d wrong places told\n",
+                    result->reason.c_str(), result->seconds, result->metres, result->shortestM, result->cues,
+                    result->wrongRegionSaid);
+    }
+    return kDone;
+}
+
+/// Somebody who knows the way walks it: frames and truth, and nobody is guided.
+int walkTheRoute(const SimulateOptions& options, const building::Location& from, const building::Location& to,
+                 const Studio& studio, const std::shared_ptr<SimulatedFrames>& frames) {
+    auto planner = routing::makeOptimalPlanner(studio.world().building());
+    auto route = planner->plan(from, to);
+    if (!route) return report(route.error());
+    simulation::WalkerOptions walker;
+    walker.seed = options.seed;
+    simulation::CameraOptions lens;
+    lens.seed = options.seed;
+    lens.shake = simulation::Shake::Chest;
+    auto camera = simulation::SimulatedCamera::create(studio.world(), lens);
+    if (!camera) return report(camera.error());
+    auto poses = simulation::posesAlong(*route, walker, options.framesPerSecond);
+    std::atomic<bool> stopped{false};
+    Interrupt interrupt([&] { stopped = true; });
+    std::uint64_t index = 0;
+    for (const simulation::CameraPose& pose : poses) {
+        if (stopped) return kFailed;
+        auto picture = camera->render(pose);
+        if (!picture) return report(picture.error());
+        if (frames)
+            if (auto written = frames->write(index, *picture); !written) return report(written.error());
+        ++index;
+    }
+    if (options.json) {
+        session::Json json;
+        json["frames"] = index;
+        json["seconds"] = rounded(poses.back().time);
+        json["shortest_m"] = rounded(route->lengthM);
+        printLine(session::dumped(json));
+    } else {
+        std::printf("%llu frames of %.1f m\n", static_cast<unsigned long long>(index), route->lengthM);
+    }
+    return kDone;
+}
+
+int walkOne(const SimulateOptions& options, const std::shared_ptr<const simulation::WalkWorld>& world,
+            std::optional<Studio>& studio) {
     int exitCode = kDone;
     std::optional<building::Location> from, to;
     if (!findPlace(world->building(), "--from", options.from, from, exitCode)) return exitCode;
@@ -54,70 +169,105 @@ int walkOne(const SimulateOptions& options, const std::shared_ptr<const simulati
     if (!from || !to)
         return report(
             {ErrorCode::InvalidArgument, "tell where the walk begins and where it leads", "--from, --to"});
-    simulation::TruthDetectionOptions detections;
-    detections.seed = options.seed;
-    auto loop = session::ClosedLoop::create(world, *from, *to, loopOptions(options),
-                                            session::truthEye(world, detections));
-    if (!loop) return report(loop.error());
-    auto result = (*loop)->run();
-    if (!result) return report(result.error());
-    printLine(session::dumped(jsonOf(*result)));
-    return kDone;
+    std::shared_ptr<SimulatedFrames> frames;
+    if (!options.out.empty()) {
+        auto made = SimulatedFrames::create(options.out);
+        if (!made) return report(made.error());
+        frames = std::move(made).value();
+    }
+    return options.obey ? obey(options, world, *from, *to, studio, frames)
+                        : walkTheRoute(options, *from, *to, *studio, frames);
 }
 
-int walkMany(const SimulateOptions& options, const std::shared_ptr<const simulation::WalkWorld>& world) {
+int walkMany(const SimulateOptions& options, const std::shared_ptr<const simulation::WalkWorld>& world,
+             std::optional<Studio>& studio) {
     PairsOptions pairs;
     pairs.walks = options.walks;
     pairs.seed = options.seed;
     pairs.loop = loopOptions(options);
+    if (studio) pairs.eye = [&](std::uint64_t seed) { return studio->eye(seed); };
     auto figures = walkPairs(world, pairs);
     if (!figures) return report(figures.error());
+    session::Json all = session::Json::array();
     for (const WalkedPair& walk : figures->walks) {
         session::Json json = jsonOf(walk.result);
         json["from"] = walk.from;
         json["to"] = walk.to;
         json["seed"] = walk.seed;
         json["end"] = session::walkEndName(walk.result.end);
-        printLine(session::dumped(json));
+        all.push_back(std::move(json));
     }
-    for (const auto& [name, value] : figures->figures()) printLine(name + ": " + std::to_string(value));
-    for (const auto& [end, count] : figures->failures()) printLine("  " + end + ": " + std::to_string(count));
+    if (options.json) {
+        session::Json json;
+        json["walks"] = std::move(all);
+        for (const auto& [name, value] : figures->figures()) json["figures"][name] = value;
+        for (const auto& [end, count] : figures->failures()) json["failures"][end] = count;
+        printLine(session::dumped(json));
+        return kDone;
+    }
+    for (const auto& [name, value] : figures->figures()) std::printf("%-48s %g\n", name.c_str(), value);
+    for (const auto& [end, count] : figures->failures()) std::printf("  %-46s %d\n", end.c_str(), count);
     return kDone;
 }
 
 int simulate(const SimulateOptions& options) {
+    if (options.noVision && (!options.out.empty() || !options.obey))
+        return report(
+            {ErrorCode::InvalidArgument,
+             "without pictures there is nothing to write and nobody to see the way: --no-vision goes with "
+             "--obey and without --out",
+             "--no-vision"});
+    if (options.walks > 0 && (!options.obey || !options.out.empty()))
+        return report({ErrorCode::InvalidArgument, "many walks go with --obey and without --out", "--walks"});
     int exitCode = kDone;
     auto building = openMap(options.map, exitCode);
     if (!building) return exitCode;
-    if (!options.obey || !options.noVision)
-        return report(
-            {ErrorCode::InvalidArgument,
-             "a walk is simulated for a walker who obeys, without pictures: give --obey and --no-vision",
-             "simulate"});
+    std::optional<Studio> studio;
+    if (!options.noVision) {
+        studio = Studio::open(options, building, exitCode);
+        if (!studio) return exitCode;
+    }
     auto world = std::make_shared<const simulation::WalkWorld>(building);
-    return options.walks > 0 ? walkMany(options, world) : walkOne(options, world);
+    return options.walks > 0 ? walkMany(options, world, studio) : walkOne(options, world, studio);
 }
+
+constexpr char kExamples[] =
+    "Examples:\n"
+    "  farol-cli simulate office.gpkg --from Bar --to 2.14 --out walk/\n"
+    "  farol-cli simulate office.gpkg --from Bar --to 2.14 --obey --library office-library.gpkg --json\n"
+    "  farol-cli simulate office.gpkg --from Bar --to 2.14 --obey --no-vision --seed 7 --json\n"
+    "  farol-cli simulate office.gpkg --obey --no-vision --walks 100\n"
+    "WHERE: a region id, a unique name or ref, or x,y,level. --out writes frames/ and truth.jsonl.\n";
 
 } // namespace
 
 void addSimulateCommand(CLI::App& app, int& exitCode) {
     auto options = std::make_shared<SimulateOptions>();
-    CLI::App* command = app.add_subcommand("simulate", "Walks a simulated person through a map");
-    command->footer(
-        "Example:\n  farol-cli simulate office.gpkg --from Bar --to 2.14 --obey --no-vision --json\n");
+    CLI::App* command =
+        app.add_subcommand("simulate", "A person with a camera walks through a map: frames and truth");
+    command->footer(kExamples);
     command->add_option("MAP", options->map, "Building file or connection string")->required();
     command->add_option("--from", options->from, "Where the walk starts (WHERE)");
     command->add_option("--to", options->to, "Destination (WHERE)");
+    command->add_option("--library", options->library,
+                        "Trained landmarks; without it the map's own file is looked into");
     command->add_option("--seed", options->seed, "Of everything that is drawn by chance")
         ->capture_default_str();
-    command->add_flag("--obey", options->obey, "The walker hears the cues, and nothing else");
+    command->add_flag("--obey", options->obey,
+                      "The walker hears the cues, and nothing else: the closed loop");
     command->add_flag("--no-vision", options->noVision,
                       "Detections drawn from the truth instead of pictures");
+    command->add_option("--out", options->out, "New folder for the frames and their truth");
     command->add_flag("--unknown-start", options->unknownStart, "Nobody tells where the walk starts");
-    command->add_option("--wilful", options->wilfulness, "Chance to take a door that nobody spoke of")
+    command->add_option("--wilful", options->wilfulness, "Chance, at each door, to take it unasked")
         ->check(CLI::Range(0.0, 1.0));
-    command->add_option("--localiser", options->localiser, "voting, voting-literal or bayes")
-        ->capture_default_str();
+    command->add_option("--localiser", options->localiser, "One of farol-cli run's")->capture_default_str();
+    command->add_option("--fps", options->framesPerSecond, "Frames a second")
+        ->capture_default_str()
+        ->check(CLI::Range(0.2, 100.0));
+    command->add_option("--clutter", options->clutter, "Things that are not in the map: 0 none, 1 crowded")
+        ->capture_default_str()
+        ->check(CLI::Range(0.0, 1.0));
     command
         ->add_option("--walks", options->walks, "So many walks between pairs drawn by chance instead of one")
         ->check(CLI::Range(0, 100000));

@@ -193,7 +193,7 @@ ClosedLoop::Eye truthEye(std::shared_ptr<const WalkWorld> world,
     auto detections = std::make_shared<simulation::TruthDetections>(std::move(world), options);
     return [detections](const simulation::CameraPose& pose, std::size_t region,
                         std::uint64_t frame) -> Result<Percept> {
-        simulation::Sight sight = detections->look(pose, region);
+        simulation::TruthSight sight = detections->look(pose, region);
         Percept percept;
         percept.frame = frame;
         percept.time = pose.time;

@@ -246,7 +246,7 @@ recognition::Motion TruthDetections::motion() {
     return motion;
 }
 
-Sight TruthDetections::look(const CameraPose& pose, std::size_t region) {
+TruthSight TruthDetections::look(const CameraPose& pose, std::size_t region) {
     m_seconds = m_looked ? std::max(0.0, pose.time - m_pose.time) : 0.0;
     if (!m_looked) {
         m_motionAt = pose.time;

@@ -28,7 +28,7 @@ struct TruthDetectionOptions {
     Result<void> check() const;
 };
 
-struct Sight {
+struct TruthSight {
     std::vector<recognition::Detection> detections;
     recognition::Motion motion; ///< since the last time that it told any
     int scene = 0;
@@ -39,7 +39,7 @@ class TruthDetections {
 public:
     TruthDetections(std::shared_ptr<const WalkWorld> world, const TruthDetectionOptions& options);
 
-    Sight look(const CameraPose& pose, std::size_t region);
+    TruthSight look(const CameraPose& pose, std::size_t region);
 
 private:
     struct Thing {
@@ -78,7 +78,7 @@ private:
     CameraPose m_pose;
     std::size_t m_region = 0;
     double m_seconds = 0.0; ///< since the look before
-    Sight m_sight;
+    TruthSight m_sight;
     bool m_looked = false;
     double m_motionAt = 0.0, m_walkedM = 0.0;
     Radians m_motionHeading;

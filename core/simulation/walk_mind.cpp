@@ -30,6 +30,8 @@ constexpr double kLateOrderS = 25.0;
 constexpr double kWalkOnM = 6.0, kPatienceS = 12.0;
 /// A distance that was told is trusted this far.
 constexpr double kDistanceTrustM = 2.5;
+/// Doors may be missed in counting; an order to act is believed over a count that is this much short.
+constexpr int kCountDoubt = 1;
 constexpr double kLookDeg = 100.0, kLookSeconds = 6.0;
 
 int signOf(double value) {

@@ -74,6 +74,7 @@ public:
             window();
         } else if (m_portal.kind == AccessKind::Opening || m_portal.kind == AccessKind::Ramp) {
             jambs(m_style->wall, !m_portal.fullHeight);
+            wallFeet();
             if (m_portal.fullHeight) ceilingStrip();
         } else {
             addThing();
@@ -109,6 +110,18 @@ private:
         if (m_portal.sill > 0.01)
             m_fixed.rect(m_frame.at(0.0, d1, m_portal.sill), m_frame.along(w), m_frame.normal(d0 - d1),
                          paint);
+    }
+
+    /// The lower paint and the skirting of the walls go round into the opening.
+    void wallFeet() {
+        double w = m_portal.width, d0 = m_portal.back, d1 = m_portal.front;
+        auto strip = [&](double out, double z0, double z1, const Paint& paint) {
+            Vec3 deep = PortalFrame::up(z0 - z1);
+            m_fixed.rect(m_frame.at(out, d0, z1), m_frame.normal(d1 - d0), deep, paint);
+            m_fixed.rect(m_frame.at(w - out, d1, z1), m_frame.normal(d0 - d1), deep, paint);
+        };
+        if (m_style->dadoM > 0.0) strip(0.001, 0.0, m_style->dadoM, m_style->lowerWall);
+        strip(0.012, 0.0, 0.09, m_style->skirting);
     }
 
     void ceilingStrip() {
@@ -328,6 +341,20 @@ private:
         jambs(m_style->wall, true);
         double w = m_portal.width, z0 = m_portal.sill, z1 = m_portal.head,
                d = (m_portal.front + m_portal.back) / 2;
+        Paint glass = paintOf(Material::Plain, linearOf(238, 246, 246));
+        glass.glass = true;
+        glass.gloss = 0.06F;
+        if (m_portal.landmark) {
+            Thing thing;
+            thing.landmark = m_portal.landmark;
+            thing.level = m_scene.building->landmarks()[*m_portal.landmark].level;
+            thing.centre = m_frame.at(w / 2, d, (z0 + z1) / 2);
+            thing.facing = m_frame.normal();
+            thing.corners = std::array<Vec3, 4>{m_frame.at(w, d, z1), m_frame.at(0.0, d, z1),
+                                                m_frame.at(0.0, d, z0), m_frame.at(w, d, z0)};
+            m_fixed.setThing(static_cast<std::int32_t>(m_scene.things.size()));
+            m_scene.things.push_back(thing);
+        }
         constexpr double kBar = 0.055;
         auto bar = [&](double s0, double s1, double low, double high) {
             m_frame.box(m_fixed, s0, s1, d - 0.03, d + 0.03, low, high, frame);
@@ -337,10 +364,8 @@ private:
         bar(0.0, kBar, z0 + kBar, z1 - kBar);
         bar(w - kBar, w, z0 + kBar, z1 - kBar);
         if (w > 1.0) bar(w / 2 - kBar / 2, w / 2 + kBar / 2, z0 + kBar, z1 - kBar);
-        Paint glass = paintOf(Material::Plain, linearOf(238, 246, 246));
-        glass.glass = true;
-        glass.gloss = 0.06F;
         m_frame.face(m_fixed, 0.0, w, d, z0, z1, glass, true);
+        m_fixed.setThing(-1);
         m_frame.box(m_fixed, -0.06, w + 0.06, m_portal.front - 0.02, m_portal.front + 0.14, z0 - 0.03, z0,
                     frame);
         if (m_portal.into && m_portal.outOf) return; // between two rooms: no daylight of its own

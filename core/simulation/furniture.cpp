@@ -4,6 +4,8 @@
 #include "core/simulation/scene_parts.h"
 #include "core/simulation/sign_pictures.h"
 
+#include <opencv2/imgproc.hpp>
+
 #include <algorithm>
 #include <numbers>
 
@@ -31,22 +33,31 @@ Spot spotAt(Vec3 middle, Point2 front) {
 }
 
 std::uint32_t addTexture(SceneData& scene, const cv::Mat& picture) {
-    scene.textures.emplace_back(picture, false);
+    if (scene.pictureScale < 1.0 && std::max(picture.cols, picture.rows) > 96) {
+        cv::Mat smaller;
+        cv::resize(picture, smaller, cv::Size(), scene.pictureScale, scene.pictureScale, cv::INTER_AREA);
+        scene.textures.emplace_back(smaller, false);
+    } else {
+        scene.textures.emplace_back(picture, false);
+    }
     return static_cast<std::uint32_t>(scene.textures.size() - 1);
 }
 
-std::array<Vec3, 4> addBoard(SceneData& scene, MeshBuilder& builder, const Spot& spot, const Measures& size,
+std::array<Vec3, 4> addBoard(MeshBuilder& builder, const Spot& spot, const Measures& size,
                              std::uint32_t texture, Vec3 sides, float glow) {
-    (void)scene;
     double w = size.width / 2, h = size.tall / 2, d = size.deep;
     std::array<Vec3, 4> corners{spot.at(-w, h, d), spot.at(w, h, d), spot.at(w, -h, d), spot.at(-w, -h, d)};
     Paint front;
     front.texture = texture;
     front.glow = glow;
     builder.picture(corners[0], corners[1] - corners[0], corners[3] - corners[0], front);
+    // The truth knows a flat thing by its front: its edges are nobody's.
+    std::int32_t thing = builder.thing();
+    if (size.deep < 0.1) builder.setThing(-1);
     Paint rim = paintOf(Material::Plain, sides);
     builder.box(spot.at(-w, -h, d), spot.right * static_cast<float>(size.width),
                 spot.front * static_cast<float>(-d), kUp * static_cast<float>(size.tall), rim, 0b000100U);
+    builder.setThing(thing);
     return corners;
 }
 
@@ -103,8 +114,7 @@ void addExtinguisher(SceneData& scene, MeshBuilder& builder, const Spot& spot, c
     }
 }
 
-void addFountain(SceneData& scene, MeshBuilder& builder, const Spot& spot, const Measures& size) {
-    (void)scene;
+void addFountain(MeshBuilder& builder, const Spot& spot, const Measures& size) {
     Paint steel = paintOf(Material::Metal, linearOf(214, 216, 220));
     steel.gloss = 0.15F;
     Paint dark = paintOf(Material::Plain, linearOf(60, 62, 66));

@@ -29,12 +29,12 @@ struct Measures {
 std::uint32_t addTexture(SceneData& scene, const cv::Mat& picture);
 
 /// A box with a picture on its front; the corners of the front, clockwise from the top left.
-std::array<Vec3, 4> addBoard(SceneData& scene, MeshBuilder& builder, const Spot& spot, const Measures& size,
+std::array<Vec3, 4> addBoard(MeshBuilder& builder, const Spot& spot, const Measures& size,
                              std::uint32_t texture, Vec3 sides, float glow = 0.0F);
 /// Spots of these are at the middle of the object's height.
 void addExtinguisher(SceneData& scene, MeshBuilder& builder, const Spot& spot, const Measures& size,
                      std::uint64_t seed);
-void addFountain(SceneData& scene, MeshBuilder& builder, const Spot& spot, const Measures& size);
+void addFountain(MeshBuilder& builder, const Spot& spot, const Measures& size);
 /// Spots of these are at the floor.
 void addBin(MeshBuilder& builder, const Spot& spot, const Measures& size, std::uint64_t seed);
 void addPlant(MeshBuilder& builder, const Spot& spot, const Measures& size, std::uint64_t seed);

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 namespace farol::simulation {
 
@@ -66,7 +67,7 @@ Usual usualOf(Kind kind) {
 }
 
 /// The front of a template as its first photograph shows it, straightened; empty without one.
-cv::Mat photographOf(const recognition::Template& entry, const Measures& size) {
+cv::Mat photographOf(const recognition::Template& entry) {
     for (const recognition::View& view : entry.views) {
         if (view.jpeg.empty()) continue;
         std::vector<std::uint8_t> bytes(view.jpeg.begin(), view.jpeg.end());
@@ -81,7 +82,6 @@ cv::Mat photographOf(const recognition::Template& entry, const Measures& size) {
         double scale = std::min(1.0, 640.0 / std::max(wide, tall));
         cv::Size pixels(std::max(16, static_cast<int>(wide * scale)),
                         std::max(16, static_cast<int>(tall * scale)));
-        (void)size;
         auto w = static_cast<float>(pixels.width), h = static_cast<float>(pixels.height);
         std::vector<cv::Point2f> to{{0.0F, 0.0F}, {w, 0.0F}, {w, h}, {0.0F, h}};
         cv::Mat front;
@@ -95,13 +95,17 @@ cv::Mat photographOf(const recognition::Template& entry, const Measures& size) {
 class LandmarkMaker {
 public:
     LandmarkMaker(SceneData& scene, const SceneOptions& options, const recognition::LandmarkLibrary* library)
-        : m_scene(scene), m_options(options), m_library(library), m_builder(scene.mesh) {}
+        : m_scene(scene), m_options(options), m_library(library), m_builder(scene.mesh) {
+        for (const Portal& portal : scene.plan.portals)
+            if (portal.landmark) m_windows.insert(*portal.landmark);
+    }
 
     void make(std::size_t index) {
         const Landmark& landmark = m_scene.building->landmarks()[index];
         if (landmark.kind == Kind::Place || !isFinite(landmark.position) || !std::isfinite(landmark.level))
             return;
         if (partOfBuilding(index, landmark)) return;
+        if (landmark.kind == Kind::Window && m_windows.count(index) > 0) return;
         auto region = m_scene.building->regionIndex(landmark.region);
         if (!region) region = m_scene.building->regionAt(landmark.position, landmark.level);
         Usual usual = usualOf(landmark.kind);
@@ -201,7 +205,7 @@ private:
         board(spot, size, addTexture(m_scene, picture), sides, glow);
     }
     void board(const Spot& spot, const Measures& size, std::uint32_t texture, Vec3 sides, float glow = 0.0F) {
-        auto corners = addBoard(m_scene, m_builder, spot, size, texture, sides, glow);
+        auto corners = addBoard(m_builder, spot, size, texture, sides, glow);
         Thing& thing = m_scene.things[m_thing];
         if (size.deep < 0.1) thing.corners = corners; // else its sides are seen too
         thing.centre = (corners[0] + corners[2]) * 0.5F;
@@ -224,7 +228,7 @@ private:
         if (const recognition::Template* entry = templateOf(landmark)) {
             auto known = m_photographs.find(entry->id.value);
             if (known == m_photographs.end()) {
-                cv::Mat photograph = photographOf(*entry, size);
+                cv::Mat photograph = photographOf(*entry);
                 std::optional<std::uint32_t> texture;
                 if (!photograph.empty()) texture = addTexture(m_scene, photograph);
                 known = m_photographs.emplace(entry->id.value, texture).first;
@@ -263,7 +267,7 @@ private:
                   linearOf(70, 70, 76), 0.25F);
             return;
         case Kind::Fountain:
-            addFountain(m_scene, m_builder, spot, size);
+            addFountain(m_builder, spot, size);
             return;
         case Kind::Hydrant:
             board(spot, size, shared(landmark, size, [](std::uint64_t) { return hydrantSign(); }),
@@ -308,7 +312,7 @@ private:
         case Kind::Poster:
             return notices ? noticeBoard(aspect, seed) : poster(landmark.text, aspect, seed);
         case Kind::Window:
-            return paintedPicture(aspect, seed);
+            return windowView(aspect);
         case Kind::Rectangle:
             return cv::Mat(64, 48, CV_8UC3, cv::Scalar(160, 164, 162));
         default:
@@ -328,7 +332,7 @@ private:
         Spot above = floor;
         above.middle =
             above.at(0.0, static_cast<double>(spot.middle.z - floor.middle.z) + size.tall / 2 + 0.38, 0.0);
-        addBoard(m_scene, m_builder, above, {0.2, 0.2, 0.006}, *m_extinguisherSign, linearOf(190, 30, 30));
+        addBoard(m_builder, above, {0.2, 0.2, 0.006}, *m_extinguisherSign, linearOf(190, 30, 30));
     }
 
     void exit(const Landmark& landmark, const Spot& spot, const Measures& size) {
@@ -344,8 +348,7 @@ private:
         // Hung from the ceiling: the same picture on its back, and two rods.
         Spot back{spot.middle, spot.right * -1.0F, spot.front * -1.0F};
         m_builder.setThing(-1);
-        addBoard(m_scene, m_builder, back, {size.width, size.tall, 0.002}, *texture, linearOf(30, 110, 60),
-                 0.55F);
+        addBoard(m_builder, back, {size.width, size.tall, 0.002}, *texture, linearOf(30, 110, 60), 0.55F);
         Paint rod = paintOf(Material::Metal);
         double ceiling =
             m_scene.plan.storeys.at(landmark.level).floorZ + m_scene.plan.storeys.at(landmark.level).ceilingM;
@@ -393,6 +396,7 @@ private:
     MeshBuilder m_builder;
     bool m_onWall = false;
     std::size_t m_thing = 0;
+    std::set<std::size_t> m_windows; ///< landmarks that are holes in walls
     std::map<std::string, std::uint32_t> m_drawn;
     std::map<std::string, std::optional<std::uint32_t>> m_photographs;
     std::map<int, std::optional<std::uint32_t>> m_exitSigns;

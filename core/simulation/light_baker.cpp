@@ -177,62 +177,90 @@ private:
     void eachSample(const Visit& visit) {
         for (int which : {0, 1}) {
             const std::vector<Surface>& surfaces = surfacesOf(which);
-            const std::vector<std::uint8_t> none;
             const auto& covered = coverage(which);
             inParallel(static_cast<int>(surfaces.size()), 0, [&](int i) {
                 const Surface& surface = surfaces[static_cast<std::size_t>(i)];
                 if (surface.glass || surface.glow > 1.0F) return;
                 std::size_t count = static_cast<std::size_t>(surface.lightColumns) * surface.lightRows;
                 for (std::size_t k = 0; k < count; ++k) {
-                    if (!covered[surface.light + k]) continue;
-                    visit(sampleOf(surface, k));
+                    if (!covered[surface.light + k].covered()) continue;
+                    visit(sampleOf(surface, surface.light + k));
                 }
             });
         }
     }
 
-    static Sample sampleOf(const Surface& surface, std::size_t k) {
-        auto column = static_cast<float>(k % surface.lightColumns),
-             row = static_cast<float>(k / surface.lightColumns);
-        float u = surface.lightU + (surface.cellsU > 0.0F ? column / surface.cellsU : 0.0F);
-        float v = surface.lightV + (surface.cellsV > 0.0F ? row / surface.cellsV : 0.0F);
+    Sample sampleOf(const Surface& surface, std::size_t index) const {
+        const Cover& cover = m_covered[index];
         Sample sample;
-        sample.index = surface.light + k;
+        sample.index = index;
         sample.normal = surface.normal;
-        sample.point = surface.origin + surface.uAxis * u + surface.vAxis * v + surface.normal * 0.012F;
+        sample.point =
+            surface.origin + surface.uAxis * cover.u + surface.vAxis * cover.v + surface.normal * 0.012F;
         return sample;
     }
 
-    /// Which samples lie at or near a quad of their surface: a bent corridor fills little of its box.
-    const std::vector<std::uint8_t>& coverage(int which) {
-        if (m_covered.empty()) m_covered.assign(m_scene.light.size(), 0);
+    /// Where on its surface the light of a sample is taken.
+    struct Cover {
+        float u = 0.0F, v = 0.0F, moved = 1.0e9F;
+        bool covered() const { return moved < 1.0e8F; }
+    };
+
+    /// Which samples lie at or near a quad of their surface (a bent corridor fills little of its box), and
+    /// where to take them: a little inside that quad, off the frames and corners that would shade them.
+    const std::vector<Cover>& coverage(int which) {
+        if (m_covered.empty()) m_covered.assign(m_scene.light.size(), Cover{});
         if (m_coverageKnown[static_cast<std::size_t>(which)]) return m_covered;
         m_coverageKnown[static_cast<std::size_t>(which)] = true;
         const Mesh& mesh = which == 0 ? m_scene.mesh : m_scene.leafMesh;
         for (std::size_t i = 0; i < mesh.quads.size(); ++i) {
             const Surface& surface = mesh.surfaces[mesh.surfaceOf[i]];
-            float low[2] = {1.0e9F, 1.0e9F}, high[2] = {-1.0e9F, -1.0e9F};
+            Extent u, v;
             for (std::size_t k = 0; k < 4; ++k) {
                 Vec3 p = mesh.corner(i, k) - surface.origin;
-                float x = (dot(p, surface.uAxis) - surface.lightU) * surface.cellsU;
-                float y = (dot(p, surface.vAxis) - surface.lightV) * surface.cellsV;
-                low[0] = std::min(low[0], x);
-                high[0] = std::max(high[0], x);
-                low[1] = std::min(low[1], y);
-                high[1] = std::max(high[1], y);
+                u.add(dot(p, surface.uAxis));
+                v.add(dot(p, surface.vAxis));
             }
-            auto first = [](float x, int count) {
-                return std::clamp(static_cast<int>(std::floor(x)), 0, count - 1);
-            };
-            auto last = [](float x, int count) {
-                return std::clamp(static_cast<int>(std::ceil(x)), 0, count - 1);
-            };
-            int columns = surface.lightColumns, rows = surface.lightRows;
-            for (int y = first(low[1], rows); y <= last(high[1], rows); ++y)
-                for (int x = first(low[0], columns); x <= last(high[0], columns); ++x)
-                    m_covered[surface.light + static_cast<std::size_t>(y * columns + x)] = 1;
+            cover(surface, u, v);
         }
         return m_covered;
+    }
+
+    struct Extent {
+        float low = 1.0e9F, high = -1.0e9F;
+        void add(float x) {
+            low = std::min(low, x);
+            high = std::max(high, x);
+        }
+        float inside(float x) const {
+            constexpr float kMarginM = 0.11F;
+            float margin = std::min(kMarginM, (high - low) / 2);
+            return std::clamp(x, low + margin, high - margin);
+        }
+    };
+
+    void cover(const Surface& surface, const Extent& u, const Extent& v) {
+        auto first = [](float metres, float start, float cells, int count) {
+            return std::clamp(static_cast<int>(std::floor((metres - start) * cells)), 0, count - 1);
+        };
+        auto last = [](float metres, float start, float cells, int count) {
+            return std::clamp(static_cast<int>(std::ceil((metres - start) * cells)), 0, count - 1);
+        };
+        int columns = surface.lightColumns, rows = surface.lightRows;
+        int left = first(u.low, surface.lightU, surface.cellsU, columns);
+        int right = last(u.high, surface.lightU, surface.cellsU, columns);
+        int bottom = last(v.high, surface.lightV, surface.cellsV, rows);
+        for (int y = first(v.low, surface.lightV, surface.cellsV, rows); y <= bottom; ++y) {
+            for (int x = left; x <= right; ++x) {
+                float wantedU =
+                    surface.lightU + (columns > 1 ? static_cast<float>(x) / surface.cellsU : 0.0F);
+                float wantedV = surface.lightV + (rows > 1 ? static_cast<float>(y) / surface.cellsV : 0.0F);
+                float atU = u.inside(wantedU), atV = v.inside(wantedV);
+                float moved = std::abs(atU - wantedU) + std::abs(atV - wantedV);
+                Cover& known = m_covered[surface.light + static_cast<std::size_t>(y * columns + x)];
+                if (moved < known.moved) known = {atU, atV, moved};
+            }
+        }
     }
 
     Vec3 directAt(const Sample& sample) const {
@@ -293,7 +321,9 @@ private:
         Vec3 sum;
         for (int i = 0; i < kRays; ++i) {
             if (packet.rays.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID) {
-                sum = sum + kSky * (packet.rays.ray.dir_z[i] > -0.05F ? 0.55F : 0.25F);
+                sum = sum + kSky * (packet.rays.ray.dir_z[i] < -0.05F ? 0.25F
+                                    : sample.normal.z > 0.9F          ? 1.3F
+                                                                      : 0.55F);
                 continue;
             }
             const Surface& hit = *m_hit[packet.rays.hit.primID[i]];
@@ -323,7 +353,7 @@ private:
                                 int nx = x + dx, ny = y + dy;
                                 if (nx < 0 || ny < 0 || nx >= columns || ny >= rows) continue;
                                 std::size_t at = surface.light + static_cast<std::size_t>(ny * columns + nx);
-                                if (!m_covered[at]) continue;
+                                if (!m_covered[at].covered()) continue;
                                 sum = sum + light[at];
                                 weight += 1.0F;
                             }
@@ -343,7 +373,7 @@ private:
     LampGrid m_lamps;
     std::unique_ptr<Tracer> m_tracer;
     std::vector<const Surface*> m_hit; ///< by quad of the tracer
-    std::vector<std::uint8_t> m_covered;
+    std::vector<Cover> m_covered;
     std::array<bool, 2> m_coverageKnown{};
     float m_cell = kFinestCellM;
 };

@@ -75,9 +75,13 @@ void spots(cv::Mat& picture, int count, int radius, double low, double high, std
         cv::Point at(draw.below(kPixels), draw.below(kPixels));
         cv::Scalar colour = cv::Scalar::all(draw.between(low, high));
         int size = 1 + draw.below(radius);
-        for (int dy : {-kPixels, 0, kPixels})
-            for (int dx : {-kPixels, 0, kPixels})
-                cv::circle(picture, at + cv::Point(dx, dy), size, colour, -1, cv::LINE_AA);
+        for (int dy : {-kPixels, 0, kPixels}) {
+            for (int dx : {-kPixels, 0, kPixels}) {
+                cv::Point copy = at + cv::Point(dx, dy);
+                if (cv::Rect(-8, -8, kPixels + 16, kPixels + 16).contains(copy))
+                    cv::circle(picture, copy, size, colour, -1, cv::LINE_AA);
+            }
+        }
     }
 }
 
@@ -106,8 +110,8 @@ cv::Mat plaster(std::uint64_t seed) {
                                    {4.0, noise(128, seed + 1)},
                                    {3.5, noise(24, seed + 2)},
                                    {4.0, noise(5, seed + 3)}});
-    scuff(picture, 26, 0.35, seed + 4);
-    spots(picture, 30, 2, 150.0, 205.0, seed + 5);
+    scuff(picture, 22, 0.16, seed + 4);
+    spots(picture, 26, 2, 185.0, 212.0, seed + 5);
     return picture;
 }
 
@@ -235,7 +239,7 @@ cv::Mat pictureOf(Material material, std::uint64_t seed) {
     case Material::Asphalt:
         return outdoors(112.0, {1.02, 1.0, 0.98}, seed);
     case Material::Grass:
-        return outdoors(120.0, {0.45, 1.0, 0.68}, seed);
+        return outdoors(112.0, {0.62, 0.98, 0.80}, seed);
     case Material::Brick:
         return brick(seed);
     case Material::Leaves:

@@ -54,6 +54,7 @@ public:
     explicit MeshBuilder(Mesh& mesh) : m_mesh(mesh) {}
 
     void setThing(std::int32_t thing) { m_thing = thing; }
+    std::int32_t thing() const { return m_thing; }
     /// A plane through `origin`; the axes need not have unit length.
     std::uint32_t surface(Vec3 origin, Vec3 u, Vec3 v, const Paint& paint);
     void quad(std::uint32_t surface, Vec3 a, Vec3 b, Vec3 c, Vec3 d);

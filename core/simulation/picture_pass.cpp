@@ -122,7 +122,9 @@ private:
         // Three times as coarse as the picture: the floor's polish is not perfect.
         Vec3 seen = m_shader.colour(eye, packet.direction(i), hit, mirrored(m_right, normal) * 3.0F,
                                     mirrored(m_down, normal) * 3.0F, nullptr, 4);
-        return {seen.x, seen.y, seen.z, 1.0F};
+        // A lamp in a polished floor is a soft patch, not a second lamp.
+        auto soft = [](float x) { return std::min(x, 1.3F); };
+        return {soft(seen.x), soft(seen.y), soft(seen.z), 1.0F};
     }
 
     bool onEdge(int x, int y) const {

@@ -23,8 +23,12 @@ Storey3 heightsOf(const SceneData& scene, const RegionPlan& plan) {
     heights.floor = storey.floorZ + plan.floorLift;
     heights.ceiling = storey.floorZ + storey.ceilingM;
     // Walls about a flight of stairs reach up to the next floor.
-    heights.wallTop = plan.stairsUp ? storey.floorZ + storey.riseM : heights.ceiling + kSeam;
+    heights.wallTop = plan.ceilingKept ? storey.floorZ + storey.riseM : heights.ceiling + kSeam;
     return heights;
+}
+
+Polygon keptOf(const RegionPlan& plan, const std::optional<HalfPlane>& kept) {
+    return kept ? clipped(plan.polygon, kept->onLine, kept->keep) : plan.polygon;
 }
 
 void addFlat(SceneData& scene, const Polygon& polygon, Point2 axis, double z, const Paint& paint, bool up) {
@@ -68,7 +72,7 @@ std::vector<Cut> solidParts(const PlanEdge& edge, double top) {
 class WallMaker {
 public:
     WallMaker(SceneData& scene, const RegionPlan& plan, const RegionStyle& style)
-        : m_scene(scene), m_builder(scene.mesh), m_style(style), m_heights(heightsOf(scene, plan)) {}
+        : m_builder(scene.mesh), m_plan(plan), m_style(style), m_heights(heightsOf(scene, plan)) {}
 
     void inner(const PlanEdge& edge) {
         if (edge.to - edge.from < 1.0e-3) return;
@@ -83,7 +87,7 @@ public:
             paint(edge, parts, -kSeam, top, m_style.wall);
         }
         for (const Cut& part : parts)
-            if (part.bottom < 0.01) skirting(edge, part);
+            if (part.bottom < 0.01) skirting(edge, onFloor(edge, part));
     }
 
     /// The building's skin, seen from the street and through windows of other wings.
@@ -123,7 +127,22 @@ private:
         }
     }
 
+    /// Above a flight of stairs there is no floor for a skirting to stand on.
+    Cut onFloor(const PlanEdge& edge, Cut part) const {
+        if (!m_plan.floorKept) return part;
+        auto depthAt = [&](double metres) {
+            return dot(edge.at(metres, edge.inset) - m_plan.floorKept->onLine, m_plan.floorKept->keep);
+        };
+        double first = depthAt(part.from), last = depthAt(part.to);
+        if (first <= 0.0 && last <= 0.0) return {part.from, part.from, 0.0, 0.0};
+        double crossing = part.from + (part.to - part.from) * first / (first - last);
+        if (first < 0.0) part.from = crossing;
+        if (last < 0.0) part.to = crossing;
+        return part;
+    }
+
     void skirting(const PlanEdge& edge, const Cut& part) {
+        if (part.to - part.from < 1.0e-3) return;
         constexpr double kTallM = 0.09, kThickM = 0.012;
         double depth = edge.inset + kThickM, z = m_heights.floor;
         Point2 left = edge.at(part.to, depth), right = edge.at(part.from, depth);
@@ -134,8 +153,8 @@ private:
                        m_style.skirting);
     }
 
-    SceneData& m_scene;
     MeshBuilder m_builder;
+    const RegionPlan& m_plan;
     const RegionStyle& m_style;
     Storey3 m_heights;
 };
@@ -178,11 +197,9 @@ void addRooms(SceneData& scene) {
         if (plan.polygon.outer.empty()) continue;
         const RegionStyle& style = scene.styles[plan.region];
         Storey3 heights = heightsOf(scene, plan);
-        Polygon landing = plan.stairsUp || plan.stairsDown ? stairsLanding(scene, plan.region) : plan.polygon;
-        addFlat(scene, plan.stairsDown ? landing : plan.polygon, plan.axis, heights.floor, style.floor, true);
+        addFlat(scene, keptOf(plan, plan.floorKept), plan.axis, heights.floor, style.floor, true);
         if (plan.outside) continue;
-        addFlat(scene, plan.stairsUp ? landing : plan.polygon, plan.axis, heights.ceiling, style.ceiling,
-                false);
+        addFlat(scene, keptOf(plan, plan.ceilingKept), plan.axis, heights.ceiling, style.ceiling, false);
         WallMaker walls(scene, plan, style);
         for (const PlanEdge& edge : plan.edges) {
             walls.inner(edge);
@@ -221,11 +238,10 @@ void addGround(SceneData& scene) {
     ground.outer = {{-reach, -reach}, {reach, -reach}, {reach, reach}, {-reach, reach}};
     for (const RegionPlan& plan : scene.plan.regions) {
         const building::Region& region = scene.building->regions()[plan.region];
-        bool through = scene.plan.storeys.at(region.level).floorZ < z - 0.5 && (plan.stairsUp);
+        bool through = scene.plan.storeys.at(region.level).floorZ < z - 0.5 && plan.ceilingKept.has_value();
         if (through && !plan.polygon.outer.empty()) ground.holes.push_back(plan.polygon.outer);
     }
-    Paint grass = paintOf(Material::Asphalt, linearOf(226, 224, 220));
-    addFlat(scene, ground, {1.0, 0.0}, z - 0.03, grass, true);
+    addFlat(scene, ground, {1.0, 0.0}, z - 0.03, paintOf(Material::Grass, linearOf(236, 226, 200)), true);
 }
 
 void addLamps(SceneData& scene) {
@@ -233,7 +249,7 @@ void addLamps(SceneData& scene) {
         if (plan.polygon.outer.empty() || plan.outside) continue;
         const building::Region& region = scene.building->regions()[plan.region];
         const RegionStyle& style = scene.styles[plan.region];
-        Polygon roof = plan.stairsUp ? stairsLanding(scene, plan.region) : plan.polygon;
+        Polygon roof = keptOf(plan, plan.ceilingKept);
         if (roof.outer.empty()) continue;
         Storey3 heights = heightsOf(scene, plan);
         Point2 axis = plan.axis, across{-axis.y, axis.x};

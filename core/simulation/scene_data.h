@@ -46,15 +46,21 @@ struct Lamp {
     Vec3 power; ///< what a surface one metre in front of it receives
 };
 
-/// Vertices of a way over stairs, from the lower level to the upper one.
-struct WayPoint {
-    Point2 position; ///< map coordinates
-    double level = 0.0;
-};
-
-struct StairsWay {
+/// Two flights with a landing half-way. Along: from the landing into the first flight; across: from that
+/// flight towards the second. Metres from `corner`, which lies at the door's end on the first flight's side.
+struct StairsPlan {
     std::size_t lower = 0, upper = 0; ///< regions
-    std::vector<WayPoint> points;
+    std::size_t access = 0;
+    Point2 corner, along, across;
+    double width = 0.0;   ///< of both flights together
+    double landing = 0.0; ///< depth of the floor's landing
+    double tread = 0.28;
+    double far = 0.0;                    ///< depth at which the well ends
+    int firstSteps = 9, secondSteps = 9; ///< risers
+    double lowZ = 0.0, highZ = 0.0;
+
+    Point2 at(double a, double c) const { return corner + along * a + across * c; }
+    double middleZ() const { return lowZ + (highZ - lowZ) * firstSteps / (firstSteps + secondSteps); }
 };
 
 /// How a region is furnished.
@@ -75,10 +81,11 @@ struct SceneData {
     Mesh leafMesh; ///< door leaves, closed
     std::vector<Leaf> leaves;
     std::vector<Texture> textures;
-    std::vector<Vec3> light; ///< samples of the surfaces of both meshes
+    double pictureScale = 1.0; ///< of pictures on walls: where there are many, each is coarser
+    std::vector<Vec3> light;   ///< samples of the surfaces of both meshes
     std::vector<Lamp> lamps;
     std::vector<Thing> things;
-    std::vector<StairsWay> stairs;
+    std::vector<StairsPlan> stairs;
     std::vector<RegionStyle> styles; ///< by region
 };
 

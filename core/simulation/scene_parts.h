@@ -19,12 +19,11 @@ void addGround(SceneData& scene);
 void addLamps(SceneData& scene);
 /// Frames, jambs, thresholds, leaves, glass: all that stands in openings.
 void addPortals(SceneData& scene, const SceneOptions& options);
-/// Steps, landings and handrails. `openFloor` of a region with flights down is its landing only: see
-/// stairsLanding().
+/// Finds room for the flights of all stairs between stairwells, and takes floors and ceilings out of their
+/// way; before the rooms are built.
+void planStairs(SceneData& scene);
+/// Steps, landings and handrails.
 void addStairs(SceneData& scene);
-/// Of a stairwell: the part that keeps a floor (stairs down) or a ceiling (stairs up). The whole polygon for
-/// others.
-Polygon stairsLanding(const SceneData& scene, std::size_t region);
 void addLifts(SceneData& scene);
 void addLandmarks(SceneData& scene, const SceneOptions& options, const recognition::LandmarkLibrary* library);
 void addClutter(SceneData& scene, const SceneOptions& options);

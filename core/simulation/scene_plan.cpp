@@ -36,16 +36,16 @@ Polygon moved(Polygon polygon, Point2 by) {
 
 class Planner {
 public:
-    Planner(const building::Building& building, std::uint64_t seed)
-        : m_building(building), m_seed(seed), m_regions(building.regions()) {}
+    Planner(const building::Building& building, std::uint64_t seed, bool windows)
+        : m_building(building), m_seed(seed), m_seededWindows(windows), m_regions(building.regions()) {}
 
-    ScenePlan plan(bool windows) {
+    ScenePlan plan() {
         m_plan.origin = originOf(m_building);
         m_plan.storeys = Storeys(m_building);
         for (std::size_t i = 0; i < m_building.regions().size(); ++i) m_plan.regions.push_back(regionPlan(i));
         liftOverlaps();
         for (std::size_t i = 0; i < m_building.accesses().size(); ++i) addAccess(i);
-        if (windows) addWindows();
+        addWindows();
         return std::move(m_plan);
     }
 
@@ -152,10 +152,7 @@ private:
     void addAccess(std::size_t index) {
         const building::Access& access = m_building.accesses()[index];
         if (access.line.empty() || !std::all_of(access.line.begin(), access.line.end(), isFinite)) return;
-        if (access.changesLevel()) {
-            markShaft(access);
-            return;
-        }
+        if (access.changesLevel()) return; // no hole in a wall
         std::vector<std::size_t> sides = sidesOf(access);
         if (sides.empty()) return;
         // A bent opening is cut piece by piece, a door from end to end.
@@ -165,17 +162,6 @@ private:
         } else {
             addPortal(index, sides, access.line.front() - m_plan.origin, access.line.back() - m_plan.origin);
         }
-    }
-
-    void markShaft(const building::Access& access) {
-        if (access.kind != AccessKind::Stairs && access.kind != AccessKind::Escalator) return;
-        auto a = m_building.regionIndex(access.regionA), b = m_building.regionIndex(access.regionB);
-        if (!a || !b || *a == *b) return;
-        bool up = m_building.regions()[*b].level > m_building.regions()[*a].level;
-        m_plan.regions[*a].stairsUp |= up;
-        m_plan.regions[*a].stairsDown |= !up;
-        m_plan.regions[*b].stairsUp |= !up;
-        m_plan.regions[*b].stairsDown |= up;
     }
 
     const PlanEdge* nearestEdge(std::size_t region, Point2 p) const {
@@ -222,6 +208,7 @@ private:
 
     void finishPortal(Portal portal, const std::vector<std::size_t>& sides) {
         orient(portal, sides);
+        fitBetweenWalls(portal);
         const building::Region* into = portal.into ? &m_building.regions()[*portal.into] : nullptr;
         const building::Region* outOf = portal.outOf ? &m_building.regions()[*portal.outOf] : nullptr;
         for (const building::Region* region : {into, outOf})
@@ -257,6 +244,30 @@ private:
         bool firstBefore = score(sides[0]) >= score(sides[1]);
         portal.into = sides[firstBefore ? 0 : 1];
         portal.outOf = sides[firstBefore ? 1 : 0];
+    }
+
+    /// An opening as wide as its corridor ends where the corridor's walls stand, which is inside its border.
+    void fitBetweenWalls(Portal& portal) const {
+        constexpr double kMostM = 0.12;
+        Point2 middle = (portal.a + portal.b) * 0.5;
+        double from = 0.0, to = portal.width;
+        for (const auto& side : {portal.into, portal.outOf}) {
+            if (!side) continue;
+            for (const PlanEdge& edge : m_plan.regions[*side].edges) {
+                if (std::abs(dot(edge.along, portal.along)) < 0.94 ||
+                    std::abs(dot(middle - edge.a, edge.inward)) > 0.45)
+                    continue;
+                for (double metres : {edge.from, edge.to}) {
+                    double at = dot(edge.at(metres, 0.0) - portal.a, portal.along);
+                    if (std::abs(at) < kMostM) from = std::max(from, at);
+                    if (std::abs(at - portal.width) < kMostM) to = std::min(to, at);
+                }
+            }
+        }
+        if (to - from < 0.3) return;
+        portal.b = portal.a + portal.along * to;
+        portal.a = portal.a + portal.along * from;
+        portal.width = to - from;
     }
 
     static void setHeights(Portal& portal, double ceiling) {
@@ -312,15 +323,77 @@ private:
     }
 
     void addWindows() {
+        std::vector<bool> drawn(m_plan.regions.size(), false);
+        const auto& landmarks = m_building.landmarks();
+        for (std::size_t i = 0; i < landmarks.size(); ++i) {
+            if (landmarks[i].kind != Kind::Window || !isFinite(landmarks[i].position)) continue;
+            auto region = m_building.regionIndex(landmarks[i].region);
+            if (!region) region = m_building.regionAt(landmarks[i].position, landmarks[i].level);
+            if (!region) continue;
+            drawn[*region] = true;
+            addMappedWindow(i, *region);
+        }
+        if (!m_seededWindows) return;
         for (RegionPlan& plan : m_plan.regions) {
             const building::Region& region = m_building.regions()[plan.region];
             bool lit = region.kind == RegionKind::Room || region.kind == RegionKind::Hall ||
                        region.kind == RegionKind::Corridor;
-            if (!lit || region.level < 0.0) continue;
+            if (!lit || region.level < 0.0 || drawn[plan.region]) continue;
             for (PlanEdge& edge : plan.edges)
                 for (const auto& [from, to] : edge.outer)
                     if (to - from > 2.2) addWindowsAlong(plan, edge, region, from, to);
         }
+    }
+
+    static bool outerAt(const PlanEdge& edge, double from, double to) {
+        return std::any_of(edge.outer.begin(), edge.outer.end(),
+                           [&](const auto& part) { return part.first <= from && part.second >= to; });
+    }
+    static bool taken(const PlanEdge& edge, double from, double to) {
+        return std::any_of(edge.cuts.begin(), edge.cuts.end(),
+                           [&](const Cut& cut) { return cut.from < to && cut.to > from; });
+    }
+
+    /// A window that the map has as a landmark is a hole in the outer wall, where there is one.
+    void addMappedWindow(std::size_t index, std::size_t region) {
+        const building::Landmark& landmark = m_building.landmarks()[index];
+        Point2 at = landmark.position - m_plan.origin;
+        auto measure = [](const std::optional<double>& given, double usual) {
+            return given && *given > 0.2 && *given < 8.0 ? *given : usual;
+        };
+        double width = measure(landmark.widthM, 1.2), tall = measure(landmark.tallM, 1.2);
+        double ceiling = m_plan.storeys.at(m_building.regions()[region].level).ceilingM;
+        double top = std::min(measure(landmark.heightM, 1.55) + tall / 2, ceiling - 0.06);
+        for (PlanEdge& edge : m_plan.regions[region].edges) {
+            double metres = edge.metresOf(at), from = metres - width / 2, to = metres + width / 2;
+            if (distanceToSegment(at, edge.a, edge.b) > 0.5 || from < edge.from || to > edge.to) continue;
+            if (landmark.heading) {
+                Point2 faces{std::cos(landmark.heading->value), std::sin(landmark.heading->value)};
+                if (dot(faces, edge.inward) < 0.7) continue;
+            }
+            if (!outerAt(edge, from, to) || taken(edge, from, to)) continue;
+            addWindow(m_plan.regions[region], edge, {from, to, std::max(0.1, top - tall), top});
+            m_plan.portals.back().landmark = index;
+            return;
+        }
+    }
+
+    void addWindow(const RegionPlan& plan, PlanEdge& edge, const Cut& hole) {
+        edge.cuts.push_back(hole);
+        Portal portal;
+        portal.access = kSeededWindow;
+        portal.kind = AccessKind::Window;
+        portal.a = edge.at(hole.from, 0.0);
+        portal.b = edge.at(hole.to, 0.0);
+        portal.width = hole.to - hole.from;
+        portal.along = edge.along;
+        portal.normal = edge.inward;
+        portal.sill = hole.bottom;
+        portal.head = hole.top;
+        portal.front = edge.inset;
+        portal.back = -0.2;
+        portal.into = plan.region;
+        m_plan.portals.push_back(portal);
     }
 
     void addWindowsAlong(RegionPlan& plan, PlanEdge& edge, const building::Region& region, double from,
@@ -333,36 +406,18 @@ private:
             if (draw.chance(0.2)) continue;
             double at = (from + to) / 2 + (i - (count - 1) / 2.0) * kStepM;
             Cut hole{at - kWindowM / 2, at + kWindowM / 2, 0.95, std::min(2.2, ceiling - 0.2)};
-            bool taken = std::any_of(edge.cuts.begin(), edge.cuts.end(), [&](const Cut& cut) {
-                return cut.from < hole.to + 0.2 && cut.to > hole.from - 0.2;
+            std::span<const std::size_t> landmarks = m_building.landmarksOf(plan.region);
+            bool hung = std::any_of(landmarks.begin(), landmarks.end(), [&](std::size_t landmark) {
+                Point2 p = m_building.landmarks()[landmark].position - m_plan.origin;
+                return distanceToSegment(p, edge.at(hole.from, 0.0), edge.at(hole.to, 0.0)) < 0.8;
             });
-            bool windowless = std::any_of(
-                m_building.landmarksOf(plan.region).begin(), m_building.landmarksOf(plan.region).end(),
-                [&](std::size_t landmark) {
-                    Point2 p = m_building.landmarks()[landmark].position - m_plan.origin;
-                    return distanceToSegment(p, edge.at(hole.from, 0.0), edge.at(hole.to, 0.0)) < 0.8;
-                });
-            if (taken || windowless) continue;
-            edge.cuts.push_back(hole);
-            Portal portal;
-            portal.access = kSeededWindow;
-            portal.kind = AccessKind::Window;
-            portal.a = edge.at(hole.from, 0.0);
-            portal.b = edge.at(hole.to, 0.0);
-            portal.width = kWindowM;
-            portal.along = edge.along;
-            portal.normal = edge.inward;
-            portal.sill = hole.bottom;
-            portal.head = hole.top;
-            portal.front = edge.inset;
-            portal.back = -0.2;
-            portal.into = plan.region;
-            m_plan.portals.push_back(portal);
+            if (!hung && !taken(edge, hole.from - 0.2, hole.to + 0.2)) addWindow(plan, edge, hole);
         }
     }
 
     const building::Building& m_building;
     std::uint64_t m_seed;
+    bool m_seededWindows;
     building::LevelRegions m_regions;
     ScenePlan m_plan;
 };
@@ -370,7 +425,7 @@ private:
 } // namespace
 
 ScenePlan planScene(const building::Building& building, std::uint64_t seed, bool windows) {
-    return Planner(building, seed).plan(windows);
+    return Planner(building, seed, windows).plan();
 }
 
 } // namespace farol::simulation

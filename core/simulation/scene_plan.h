@@ -24,14 +24,20 @@ struct PlanEdge : BorderEdge {
     std::vector<std::pair<double, double>> outer; ///< metres along, where nothing indoors lies behind it
 };
 
+/// What lies on the side of a line that `keep` points to.
+struct HalfPlane {
+    Point2 onLine, keep;
+};
+
 struct RegionPlan {
     std::size_t region = 0;
     Polygon polygon; ///< tidied; empty for a region without an area
     Point2 axis{1.0, 0.0};
     std::vector<PlanEdge> edges;
     bool outside = false;
-    double floorLift = 0.0;                    ///< millimetres that keep overlapping floors apart
-    bool stairsUp = false, stairsDown = false; ///< flights leave it towards the next level
+    double floorLift = 0.0; ///< millimetres that keep overlapping floors apart
+    /// Of a stairwell: what keeps its ceiling where flights go up, and its floor where they come from below.
+    std::optional<HalfPlane> ceilingKept, floorKept;
 };
 
 /// One access in the walls. The opening runs from `a` to `b`; `normal` points into `into`.
@@ -44,6 +50,7 @@ struct Portal {
     double sill = 0.0, head = 2.05;
     double front = 0.05, back = -0.05;      ///< faces of the two walls along `normal`
     std::optional<std::size_t> into, outOf; ///< regions
+    std::optional<std::size_t> landmark;    ///< a window that is one
     bool fullHeight = false;
     bool lift = false; ///< leads into a lift car
 };

@@ -54,7 +54,13 @@ RayHit Shader::trace(Vec3 from, Vec3 direction, float near) const {
 }
 
 Vec3 Shader::sky(Vec3 direction) const {
-    float up = unit(direction).z;
+    Vec3 way = unit(direction);
+    float up = way.z;
+    // Trees along the horizon, their height from the direction alone.
+    float round = way.x * 9.0F - way.y * 7.0F;
+    float trees = 0.035F + 0.012F * std::sin(round * 2.3F) + 0.008F * std::sin(round * 7.1F + 1.0F) +
+                  0.004F * std::sin(way.x * 131.0F + way.y * 97.0F);
+    if (up > 0.0F && up < trees) return {0.16F, 0.21F, 0.13F};
     if (up <= 0.0F) return {0.25F, 0.24F, 0.22F}; // beyond the ground's edge
     float high = std::min(1.0F, up * 2.2F);
     return Vec3{1.5F, 1.52F, 1.55F} * (1.0F - high) + Vec3{0.62F, 0.95F, 1.55F} * high;
@@ -99,7 +105,7 @@ Vec3 Shader::painted(const Surface& surface, Vec3 eye, Vec3 direction, float t, 
             Vec3 sum;
             for (int i = 0; i < taps; ++i) {
                 float shift = static_cast<float>(i) - static_cast<float>(taps - 1) * 0.5F;
-                sum = sum + texture.at(textureU + stepU * shift, textureV + stepV * shift, level);
+                sum = sum + texture.nearAt(textureU + stepU * shift, textureV + stepV * shift, level);
             }
             albedo = sum * (1.0F / static_cast<float>(taps));
         }

@@ -357,6 +357,18 @@ cv::Mat vendingFront(std::uint64_t seed) {
     return picture;
 }
 
+cv::Mat windowView(double widthOverHeight) {
+    int height = 256, width = std::clamp(static_cast<int>(height * widthOverHeight), 64, 900), bar = 12;
+    cv::Mat picture(height, width, CV_8UC3);
+    for (int y = 0; y < height; ++y) {
+        double share = static_cast<double>(y) / height;
+        picture.row(y).setTo(cv::Scalar(250, 226, 200) * (1.0 - share) + cv::Scalar(240, 240, 236) * share);
+    }
+    cv::rectangle(picture, {0, 0, width, height}, cv::Scalar(226, 228, 228), 2 * bar);
+    cv::rectangle(picture, {width / 2 - bar / 2, 0, bar, height}, cv::Scalar(226, 228, 228), -1);
+    return picture;
+}
+
 cv::Mat buttonPanel(std::uint64_t seed) {
     Draw draw(seed);
     cv::Mat picture(480, 120, CV_8UC3, cv::Scalar(176, 176, 172));

@@ -25,6 +25,8 @@ cv::Mat paintedPicture(double widthOverHeight, std::uint64_t seed);
 cv::Mat noticeBoard(double widthOverHeight, std::uint64_t seed);
 cv::Mat lockerDoors(double widthM, std::uint64_t seed);
 cv::Mat vendingFront(std::uint64_t seed);
+/// A window that leads nowhere: sky behind bars.
+cv::Mat windowView(double widthOverHeight);
 cv::Mat buttonPanel(std::uint64_t seed);
 
 } // namespace farol::simulation

@@ -24,6 +24,12 @@ public:
     Vec3 mean() const { return m_mean; } ///< linear
     std::size_t bytes() const { return m_texels.size() * sizeof(std::uint32_t); }
 
+    /// As `at`, from the one level that is nearest, for samples that are averaged anyway.
+    Vec3 nearAt(float u, float v, float level) const {
+        int nearest = level > 0.0F ? static_cast<int>(level + 0.5F) : 0;
+        return bilinear(
+            u, v, m_levels[static_cast<std::size_t>(nearest < m_levelCount ? nearest : m_levelCount - 1)]);
+    }
     /// Linear colour at (u, v), shares of the whole picture from its top left, smoothed for a footprint of
     /// 2^level texels.
     Vec3 at(float u, float v, float level) const {
@@ -47,10 +53,6 @@ private:
         std::size_t first = 0;
     };
 
-    static int wrapped(int i, int size) {
-        int rest = i % size;
-        return rest < 0 ? rest + size : rest;
-    }
     static int floorOf(float x) {
         int whole = static_cast<int>(x);
         return whole - (static_cast<float>(whole) > x ? 1 : 0);
@@ -65,37 +67,40 @@ private:
 };
 
 inline Vec3 Texture::bilinear(float u, float v, const Level& level) const {
-    if (m_wraps) { // before the float loses its fraction
+    if (m_wraps) {
         u -= static_cast<float>(floorOf(u));
         v -= static_cast<float>(floorOf(v));
     }
+    // One texel beyond the edges at most: farther out a clamped texture looks the same.
+    u = u > -1.0F ? (u < 2.0F ? u : 2.0F) : -1.0F;
+    v = v > -1.0F ? (v < 2.0F ? v : 2.0F) : -1.0F;
     float x = u * static_cast<float>(level.width) - 0.5F;
     float y = v * static_cast<float>(level.height) - 0.5F;
-    x = std::fmin(std::fmax(x, -1.0e6F), 1.0e6F);
-    y = std::fmin(std::fmax(y, -1.0e6F), 1.0e6F);
     int left = floorOf(x), top = floorOf(y);
-    float fx = x - static_cast<float>(left), fy = y - static_cast<float>(top);
-    int right = left + 1, bottom = top + 1;
-    auto inside = [this](int i, int size) {
-        if (i >= 0 && i < size) return i;
-        if (m_wraps) return wrapped(i, size);
-        return i < 0 ? 0 : size - 1;
+    auto wx = static_cast<std::uint32_t>((x - static_cast<float>(left)) * 256.0F);
+    auto wy = static_cast<std::uint32_t>((y - static_cast<float>(top)) * 256.0F);
+    auto inside = [wraps = m_wraps](int i, int size) {
+        if (i < 0) return wraps ? size - 1 : 0;
+        if (i >= size) return wraps ? 0 : size - 1;
+        return i;
     };
+    int right = inside(left + 1, level.width), bottom = inside(top + 1, level.height);
     left = inside(left, level.width);
-    right = inside(right, level.width);
+    top = inside(top, level.height);
     const std::uint32_t* rows = m_texels.data() + level.first;
-    const std::uint32_t* upper = rows + static_cast<std::ptrdiff_t>(inside(top, level.height)) * level.width;
-    const std::uint32_t* lower =
-        rows + static_cast<std::ptrdiff_t>(inside(bottom, level.height)) * level.width;
-    const std::uint32_t texels[4] = {upper[left], upper[right], lower[left], lower[right]};
-    const float weights[4] = {(1.0F - fx) * (1.0F - fy), fx * (1.0F - fy), (1.0F - fx) * fy, fx * fy};
-    Vec3 sum;
-    for (int i = 0; i < 4; ++i) {
-        sum.x += weights[i] * static_cast<float>(texels[i] & 255U);
-        sum.y += weights[i] * static_cast<float>((texels[i] >> 8U) & 255U);
-        sum.z += weights[i] * static_cast<float>((texels[i] >> 16U) & 255U);
-    }
-    constexpr float kScale = 1.0F / (255.0F * 255.0F);
+    const std::uint32_t* upper = rows + static_cast<std::ptrdiff_t>(top) * level.width;
+    const std::uint32_t* lower = rows + static_cast<std::ptrdiff_t>(bottom) * level.width;
+    // Weights of 8 bits, so that red and blue go through one multiplication.
+    std::uint32_t w11 = wx * wy >> 8U, w01 = wx - w11, w10 = wy - w11, w00 = 256U - wx - w10;
+    std::uint32_t t00 = upper[left], t01 = upper[right], t10 = lower[left], t11 = lower[right];
+    constexpr std::uint32_t kPair = 0xFF00FFU;
+    std::uint32_t pair =
+        (t00 & kPair) * w00 + (t01 & kPair) * w01 + (t10 & kPair) * w10 + (t11 & kPair) * w11;
+    std::uint32_t green = (t00 >> 8U & 255U) * w00 + (t01 >> 8U & 255U) * w01 + (t10 >> 8U & 255U) * w10 +
+                          (t11 >> 8U & 255U) * w11;
+    Vec3 sum{static_cast<float>(static_cast<int>(pair & 0xFFFFU)),
+             static_cast<float>(static_cast<int>(green)), static_cast<float>(static_cast<int>(pair >> 16U))};
+    constexpr float kScale = 1.0F / (256.0F * 256.0F * 255.0F * 255.0F);
     return {sum.x * sum.x * kScale, sum.y * sum.y * kScale, sum.z * sum.z * kScale};
 }
 

@@ -30,6 +30,15 @@ Result<std::shared_ptr<SceneData>> assemble(std::shared_ptr<const building::Buil
                      scene->building->data().title};
     scene->styles = makeStyles(*scene->building, options.seed);
     scene->textures = makeMaterials(options.seed);
+    // Pictures of a map with thousands of posters are drawn coarser, so that they fit into some hundred
+    // megabytes.
+    constexpr double kFullSize = 300.0;
+    double floors = 0.0;
+    for (const RegionPlan& plan : scene->plan.regions) floors += area(plan.polygon);
+    double pictures =
+        static_cast<double>(scene->building->landmarks().size()) + options.clutter * floors / 12.0;
+    scene->pictureScale = std::clamp(std::sqrt(kFullSize / std::max(pictures, 1.0)), 0.3, 1.0);
+    planStairs(*scene);
     addRooms(*scene);
     addDrawnWalls(*scene);
     addGround(*scene);
@@ -50,6 +59,25 @@ Result<std::shared_ptr<SceneData>> assemble(std::shared_ptr<const building::Buil
             scene->things[static_cast<std::size_t>(thing)].quads.push_back(static_cast<std::uint32_t>(i));
     }
     return scene;
+}
+
+/// Up the middle of the first flight, round on the landing, up the second.
+std::vector<StairsPoint> wayOver(const StairsPlan& stairs, Point2 origin, const building::Building& map) {
+    double low = map.regions()[stairs.lower].level, high = map.regions()[stairs.upper].level;
+    double half = low + (high - low) * stairs.firstSteps / (stairs.firstSteps + stairs.secondSteps);
+    double first = stairs.width / 4, second = stairs.width * 3 / 4;
+    double end = stairs.landing + stairs.tread * (stairs.firstSteps - 1);
+    double start = end - stairs.tread * (stairs.secondSteps - 1), turn = (end + stairs.far) / 2;
+    std::vector<StairsPoint> points{{stairs.at(stairs.landing - 0.3, first), low},
+                                    {stairs.at(stairs.landing, first), low},
+                                    {stairs.at(end, first), half},
+                                    {stairs.at(turn, first), half},
+                                    {stairs.at(turn, second), half},
+                                    {stairs.at(end, second), half},
+                                    {stairs.at(start, second), high},
+                                    {stairs.at(start - 0.3, second), high}};
+    for (StairsPoint& point : points) point.position = point.position + origin;
+    return points;
 }
 
 } // namespace
@@ -82,13 +110,10 @@ std::vector<StairsPoint> World::stairsWay(const AccessId& access) const {
     const building::Building& map = *m_scene->building;
     const building::Access* found = map.access(access);
     if (!found) return {};
-    auto a = map.regionIndex(found->regionA), b = map.regionIndex(found->regionB);
-    if (!a || !b) return {};
-    for (const StairsWay& way : m_scene->stairs) {
-        bool up = way.lower == *a && way.upper == *b, down = way.lower == *b && way.upper == *a;
-        if (!up && !down) continue;
-        std::vector<StairsPoint> points;
-        for (const WayPoint& point : way.points) points.push_back({point.position, point.level});
+    for (const StairsPlan& stairs : m_scene->stairs) {
+        if (map.accesses()[stairs.access].id != access) continue;
+        std::vector<StairsPoint> points = wayOver(stairs, m_scene->plan.origin, map);
+        bool down = map.regionIndex(found->regionA) == stairs.upper;
         if (down) std::reverse(points.begin(), points.end());
         return points;
     }

@@ -71,6 +71,8 @@ std::vector<simulation::CameraPose> chosenPoses(const building::Building& map) {
                 heading = angle;
             }
         }
+        Point2 way{std::cos(heading * kDegree), std::sin(heading * kDegree)};
+        for (int back = 0; back < 12 && contains(region.polygon, p - way * 1.3); ++back) p = p - way * 0.3;
         poses.push_back(poseAt(p, region.level, heading));
     }
     return poses;

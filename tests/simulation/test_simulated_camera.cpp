@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "simulated_places.h"
+#include "truth_check.h"
 
 namespace farol::simulation {
 namespace {
@@ -136,40 +137,6 @@ TEST(SimulatedCamera, OutsideAllRegionsShowsTheBuildingAndNamesNoRegion) {
         EXPECT_TRUE(look(camera, standing({4.0, 1.2}, level, 0.0)).truth.things.size() < 20);
 }
 
-/// How far the projected corners of flat things lie from the corners of their pixels, for things that are
-/// whole in view. `checked` counts them.
-double worstCorner(const RenderedFrame& frame, const cv::Mat& ids, int& checked) {
-    double worst = 0.0;
-    for (const SeenThing& thing : frame.truth.things) {
-        bool flat = thing.kind == Kind::Poster || thing.kind == Kind::Text || thing.kind == Kind::Picture;
-        if (!flat || thing.landmark.empty() || thing.visibleShare < 0.93) continue;
-        ImageBox box = boundingBox(thing.quad);
-        if (box.x < 2.0 || box.y < 2.0 || box.x + box.width > ids.cols - 2.0 ||
-            box.y + box.height > ids.rows - 2.0 || std::min(box.width, box.height) < 8.0)
-            continue;
-        // Its own number is the one that most pixels about its middle have.
-        std::uint16_t id =
-            ids.at<std::uint16_t>(static_cast<int>(box.centre().y), static_cast<int>(box.centre().x));
-        if (id == 0) continue;
-        double left = 1e9, top = 1e9, right = -1e9, bottom = -1e9;
-        for (int y = std::max(0, static_cast<int>(box.y) - 6);
-             y < std::min(ids.rows, static_cast<int>(box.y + box.height) + 7); ++y) {
-            for (int x = std::max(0, static_cast<int>(box.x) - 6);
-                 x < std::min(ids.cols, static_cast<int>(box.x + box.width) + 7); ++x) {
-                if (ids.at<std::uint16_t>(y, x) != id) continue;
-                left = std::min(left, x + 0.0);
-                right = std::max(right, x + 1.0);
-                top = std::min(top, y + 0.0);
-                bottom = std::max(bottom, y + 1.0);
-            }
-        }
-        for (double gap : {left - box.x, right - box.x - box.width, top - box.y, bottom - box.y - box.height})
-            worst = std::max(worst, std::abs(gap));
-        ++checked;
-    }
-    return worst;
-}
-
 TEST(SimulatedCamera, ProjectedCornersAgreeWithTheIdPicture) {
     auto data = test::corridorMap();
     for (int i = 0; i < 8; ++i) {
@@ -185,7 +152,10 @@ TEST(SimulatedCamera, ProjectedCornersAgreeWithTheIdPicture) {
         pose.pitch = Radians{0.01 * (i % 7 - 3)};
         pose.roll = Radians{0.015 * (i % 5 - 2)};
         RenderedFrame frame = look(camera, pose);
-        EXPECT_LE(worstCorner(frame, camera.idPicture(), checked), 1.0) << i;
+        for (const test::CornerGap& gap : test::cornerGaps(frame, camera.idPicture())) {
+            EXPECT_LE(gap.pixels, 1.0) << "picture " << i << ", " << kindName(gap.kind);
+            ++checked;
+        }
     }
     EXPECT_GT(checked, 20);
 }

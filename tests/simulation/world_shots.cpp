@@ -1,5 +1,9 @@
 // A contact sheet of a world: twelve pictures from spots along its corridors and halls, to be looked at.
-//   world_shots MAP OUT.png [--seed N] [--library LIB] [--singles DIR] [--poses x,y,level,heading_deg;...]
+//   world_shots MAP OUT.png [--seed N] [--clutter C] [--singles DIR] [--poses
+//   x,y,level,heading_deg[,pitch_deg];...]
+//               [--time FRAMES] [--threads N] [--truth FRAMES]
+// --time: frames a second on a walk through those spots. --truth: in so many random pictures, how well the
+// projected corners of things agree with their pixels.
 
 #include "core/building/geopackage.h"
 #include "core/simulation/simulated_camera.h"
@@ -8,13 +12,18 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
+#include <map>
 #include <sstream>
 #include <string>
 #include <vector>
+
+#include "truth_check.h"
 
 using namespace farol;
 
@@ -78,15 +87,52 @@ std::vector<simulation::CameraPose> chosenPoses(const building::Building& map) {
     return poses;
 }
 
+/// Random spots, heights and angles all over the building.
+simulation::CameraPose randomPose(const building::Building& map, cv::RNG& random) {
+    const auto& regions = map.regions();
+    while (true) {
+        const building::Region& region =
+            regions[static_cast<std::size_t>(random.uniform(0, static_cast<int>(regions.size())))];
+        auto box = boundingBox(region.polygon.outer);
+        if (!box) continue;
+        Point2 p{random.uniform(box->low.x, box->high.x), random.uniform(box->low.y, box->high.y)};
+        if (!contains(region.polygon, p)) continue;
+        simulation::CameraPose pose = poseAt(p, region.level, random.uniform(0.0, 360.0));
+        pose.pitch = Radians{random.uniform(-0.15, 0.15)};
+        pose.roll = Radians{random.uniform(-0.08, 0.08)};
+        pose.eyeHeightM = random.uniform(1.2, 1.6);
+        return pose;
+    }
+}
+
+int checkTruth(simulation::SimulatedCamera& camera, const building::Building& map, int frames) {
+    cv::RNG random(7);
+    std::vector<double> gaps;
+    std::map<std::string, int> beyond;
+    for (int i = 0; i < frames; ++i) {
+        auto frame = camera.render(randomPose(map, random));
+        if (!frame) return std::fprintf(stderr, "%s\n", frame.error().text().c_str()), 1;
+        for (const test::CornerGap& gap : test::cornerGaps(*frame, camera.idPicture())) {
+            gaps.push_back(gap.pixels);
+            if (gap.pixels > 1.0) ++beyond[std::string(kindName(gap.kind))];
+        }
+    }
+    std::sort(gaps.begin(), gaps.end());
+    if (gaps.empty()) return std::fprintf(stderr, "nothing was whole in view\n"), 1;
+    std::printf("%zu things in %d pictures: half within %.2f px, 99 %% within %.2f, worst %.2f\n",
+                gaps.size(), frames, gaps[gaps.size() / 2], gaps[gaps.size() * 99 / 100], gaps.back());
+    for (const auto& [kind, count] : beyond) std::printf("beyond 1 px: %s %d\n", kind.c_str(), count);
+    return beyond.empty() ? 0 : 1;
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
     if (argc < 3) return 2;
     std::string singles, poseText;
     simulation::SceneOptions options;
-    recognition::LandmarkLibrary* library = nullptr;
     simulation::CameraOptions lens;
-    int frames = 0;
+    int frames = 0, truths = 0;
     for (int i = 3; i + 1 < argc; i += 2) {
         std::string word = argv[i], value = argv[i + 1];
         if (word == "--seed") options.seed = std::strtoull(value.c_str(), nullptr, 10);
@@ -94,6 +140,7 @@ int main(int argc, char** argv) {
         if (word == "--singles") singles = value;
         if (word == "--poses") poseText = value;
         if (word == "--time") frames = std::atoi(value.c_str());
+        if (word == "--truth") truths = std::atoi(value.c_str());
         if (word == "--threads") lens.threads = std::atoi(value.c_str());
     }
     auto loaded = building::loadBuilding(argv[1]);
@@ -102,7 +149,7 @@ int main(int argc, char** argv) {
     auto since = [&] {
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     };
-    auto world = simulation::buildWorld(loaded->building, options, library);
+    auto world = simulation::buildWorld(loaded->building, options);
     if (!world) return std::fprintf(stderr, "%s\n", world.error().text().c_str()), 1;
     std::fprintf(stderr, "built in %.2f s: %zu quads, %.1f MB of texture\n", since(), world->quadCount(),
                  static_cast<double>(world->textureBytes()) / 1e6);
@@ -137,5 +184,5 @@ int main(int argc, char** argv) {
         std::fprintf(stderr, "%.1f frames a second, %.1f ms CPU a frame\n", frames / since(),
                      1000.0 * static_cast<double>(std::clock() - cpu) / CLOCKS_PER_SEC / frames);
     }
-    return 0;
+    return truths > 0 ? checkTruth(*camera, *loaded->building, truths) : 0;
 }

@@ -11,7 +11,7 @@ void addMapCommands(CLI::App& app, int& exitCode);       ///< map check, info, a
 void addMapImport(CLI::App& map, int& exitCode);         ///< map import
 void addMapAmbiguity(CLI::App& map, int& exitCode);      ///< map ambiguity
 void addRouteCommand(CLI::App& app, int& exitCode);      ///< route
-void addLibraryCommands(CLI::App& app, int& exitCode);   ///< train, library list, library remove
+void addLibraryCommands(CLI::App& app, int& exitCode);   ///< train, library list, remove, retrain, check
 void addRecogniseCommands(CLI::App& app, int& exitCode); ///< recognise, detect
 void addLocateCommand(CLI::App& app, int& exitCode);     ///< locate
 void addRunCommands(CLI::App& app, int& exitCode);       ///< run, replay

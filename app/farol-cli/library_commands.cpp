@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <memory>
@@ -24,17 +25,25 @@ std::string dumped(const Json& json) {
 }
 
 struct TrainArguments {
-    std::string library, templateName, kind, name;
+    std::string library, templateName, kind, name, extractor;
     std::vector<double> outline;
     double widthM = 0.0, heightM = 0.0;
     std::vector<std::string> views;
 };
 
 /// The library at the path, or a new one: a file that is not there yet, or a map that holds none.
-Result<LandmarkLibrary> libraryToExtend(const std::string& path) {
-    auto library = loadLibrary(path);
-    if (!library && library.error().code == ErrorCode::NotFound) return LandmarkLibrary{};
-    return library;
+Result<LandmarkLibrary> libraryToExtend(const std::string& path, const std::string& extractor) {
+    std::optional<ExtractorOptions> wanted;
+    if (!extractor.empty()) {
+        auto named = ExtractorOptions::named(extractor);
+        if (!named) return named.error();
+        wanted = *named;
+    }
+    auto library = loadLibrary(path, wanted);
+    if (library || library.error().code != ErrorCode::NotFound) return library;
+    LandmarkLibrary fresh;
+    if (wanted) fresh.extractor = *wanted;
+    return fresh;
 }
 
 Result<TrainingRequest> requestFrom(const TrainArguments& arguments) {
@@ -61,8 +70,8 @@ Result<TrainingRequest> requestFrom(const TrainArguments& arguments) {
 int train(const TrainArguments& arguments) {
     auto request = requestFrom(arguments);
     if (!request) return report(request.error());
-    auto library = libraryToExtend(arguments.library);
-    if (!library) return report(library.error());
+    auto library = libraryToExtend(arguments.library, arguments.extractor);
+    if (!library) return reportLibrary(library.error(), arguments.library);
     std::optional<Quad> outline;
     if (!arguments.outline.empty()) {
         outline.emplace();
@@ -110,7 +119,7 @@ Json templateJson(const Template& entry) {
 
 int list(const std::string& path, bool asJson) {
     auto library = loadLibrary(path);
-    if (!library) return report(library.error());
+    if (!library) return reportLibrary(library.error(), path);
     if (asJson) {
         Json json;
         json["library"] = path;
@@ -132,11 +141,35 @@ int list(const std::string& path, bool asJson) {
 
 int removeOne(const std::string& path, const std::string& name) {
     auto library = loadLibrary(path);
-    if (!library) return report(library.error());
+    if (!library) return reportLibrary(library.error(), path);
     if (!removeTemplate(*library, TemplateId(name)))
         return report({ErrorCode::NotFound, "there is no template \"" + name + "\"; see library list", path});
     if (auto saved = saveLibrary(*library, path); !saved) return report(saved.error());
     std::printf("%s: template %s is removed\n", path.c_str(), name.c_str());
+    return kDone;
+}
+
+int retrainAll(const std::string& path, const std::string& extractor) {
+    auto options = ExtractorOptions::named(extractor);
+    if (!options) return report(options.error());
+    auto photographs = loadPhotographs(path);
+    if (!photographs) return report(photographs.error());
+    bool terminal = ::isatty(STDERR_FILENO) == 1;
+    auto fresh = retrain(*photographs, *options, [&](std::size_t done, std::size_t all) {
+        if (terminal) std::fprintf(stderr, "\r%zu of %zu views%s", done, all, done == all ? "\n" : "");
+    });
+    if (!fresh) return report(fresh.error());
+    for (const Error& refused : fresh->refused) warn(refused.text());
+    std::size_t lost = photographs->templates.size() - fresh->library.templates.size();
+    if (lost > 0)
+        return report({ErrorCode::Conflict,
+                       std::to_string(lost) + " templates would be lost with " + extractor +
+                           ", which finds too little in their photographs; the library stays as it was",
+                       path});
+    if (auto saved = saveLibrary(fresh->library, path); !saved) return report(saved.error());
+    std::printf("%s: %zu templates, %zu of %zu views trained again with %s\n", path.c_str(),
+                fresh->library.templates.size(), fresh->library.viewCount(), photographs->viewCount(),
+                fresh->library.extractor.description().c_str());
     return kDone;
 }
 
@@ -150,6 +183,13 @@ Json checkJson(const std::string& path, const std::vector<TemplateCheck>& checks
         entry["views"] = check.views;
         entry["tested"] = check.tested;
         entry["found"] = check.found;
+        entry["made"] = check.shown;
+        entry["made_found"] = check.shownFound;
+        entry["smallest_px"] = check.smallestPx > 0.0 ? Json(check.smallestPx) : Json(nullptr);
+        entry["farthest_m"] =
+            check.farthestM ? Json(std::round(*check.farthestM * 100.0) / 100.0) : Json(nullptr);
+        entry["widest_deg"] =
+            check.shown > 0 && check.widestDegrees >= 0.0 ? Json(check.widestDegrees) : Json(nullptr);
         entry["confused_with"] = Json::object();
         for (const auto& [name, times] : check.confusedWith) entry["confused_with"][name] = times;
         json["templates"].push_back(std::move(entry));
@@ -157,26 +197,41 @@ Json checkJson(const std::string& path, const std::vector<TemplateCheck>& checks
     return json;
 }
 
+std::string sentence(const TemplateCheck& one) {
+    std::string line = "  " + one.id.value + ": ";
+    line += one.tested == 0 ? "one view only, so none could be held back"
+                            : "found in " + std::to_string(one.found) + " of " + std::to_string(one.tested) +
+                                  " views held back";
+    char text[160];
+    if (one.shown > 0 && one.smallestPx > 0.0) {
+        std::snprintf(text, sizeof text, "; down to %.0f px", one.smallestPx);
+        line += text;
+        if (one.farthestM) {
+            std::snprintf(text, sizeof text, " (%.1f m)", *one.farthestM);
+            line += text;
+        }
+        std::snprintf(text, sizeof text, ", up to %.0f degrees aside", std::max(0.0, one.widestDegrees));
+        line += text;
+    } else if (one.shown > 0) {
+        line += "; never found in the views made from its photograph";
+    }
+    for (const auto& [name, times] : one.confusedWith)
+        line += "; confused with " + name + " (" + std::to_string(times) + ")";
+    return line;
+}
+
 int check(const std::string& path, bool asJson) {
     auto library = loadLibrary(path);
-    if (!library) return report(library.error());
+    if (!library) return reportLibrary(library.error(), path);
     bool terminal = ::isatty(STDERR_FILENO) == 1;
     auto checks = checkLibrary(*library, {}, [&](std::size_t done, std::size_t all) {
-        if (terminal) std::fprintf(stderr, "\r%zu of %zu views%s", done, all, done == all ? "\n" : "");
+        if (terminal) std::fprintf(stderr, "\r%zu of %zu pictures%s", done, all, done == all ? "\n" : "");
     });
     if (asJson) {
         printLine(dumped(checkJson(path, checks)));
         return kDone;
     }
-    for (const TemplateCheck& one : checks) {
-        std::string line = "  " + one.id.value + ": ";
-        line += one.tested == 0 ? "one view only, so none could be held back"
-                                : "found in " + std::to_string(one.found) + " of " +
-                                      std::to_string(one.tested) + " views held back";
-        for (const auto& [name, times] : one.confusedWith)
-            line += "; confused with " + name + " (" + std::to_string(times) + ")";
-        std::printf("%s\n", line.c_str());
-    }
+    for (const TemplateCheck& one : checks) printLine(sentence(one));
     return kDone;
 }
 
@@ -204,6 +259,8 @@ void addTrain(CLI::App& app, int& exitCode) {
     command->add_option("--width-m", arguments->widthM, "Real width in metres")->check(CLI::PositiveNumber);
     command->add_option("--height-m", arguments->heightM, "Real height in metres")
         ->check(CLI::PositiveNumber);
+    command->add_option("--extractor", arguments->extractor,
+                        "Features of a new library: rootsift (usual), surf, orb, akaze");
     command->add_option("views", arguments->views, "Photographs")->required();
     command->callback([arguments, &exitCode] { exitCode = train(*arguments); });
 }
@@ -215,7 +272,7 @@ void addLibraryCommands(CLI::App& app, int& exitCode) {
     CLI::App* library = app.add_subcommand("library", "Look into a landmark library");
     library->require_subcommand(1);
     struct Arguments {
-        std::string path, name;
+        std::string path, name, extractor = "rootsift";
         bool json = false;
     };
     auto arguments = std::make_shared<Arguments>();
@@ -229,9 +286,19 @@ void addLibraryCommands(CLI::App& app, int& exitCode) {
     removal->add_option("library", arguments->path, "Library or map (*.gpkg)")->required();
     removal->add_option("template", arguments->name, "Name of the template")->required();
     removal->callback([arguments, &exitCode] { exitCode = removeOne(arguments->path, arguments->name); });
-    CLI::App* checking = library->add_subcommand(
-        "check", "Is each template found in views held back, and what is it confused with?");
-    checking->footer("Example:\n  farol-cli library check corridor.gpkg");
+    CLI::App* again = library->add_subcommand(
+        "retrain", "Make all features anew from the kept photographs, also with another extractor");
+    again->footer("Example:\n  farol-cli library retrain corridor.gpkg --extractor akaze");
+    again->add_option("library", arguments->path, "Library or map (*.gpkg)")->required();
+    again->add_option("--extractor", arguments->extractor, "rootsift, surf, orb, akaze")
+        ->capture_default_str();
+    again->callback([arguments, &exitCode] { exitCode = retrainAll(arguments->path, arguments->extractor); });
+    CLI::App* checking =
+        library->add_subcommand("check", "From where is each template found, and what is it confused with?");
+    checking->footer(
+        "Each view is held back once and looked for with the rest; then the squarest photograph is "
+        "shown\nsmaller and turned. Metres are for a lens of 56 degrees.\n"
+        "Example:\n  farol-cli library check corridor.gpkg --json");
     checking->add_option("library", arguments->path, "Library or map (*.gpkg)")->required();
     checking->add_flag("--json", arguments->json, "One JSON document");
     checking->callback([arguments, &exitCode] { exitCode = check(arguments->path, arguments->json); });

@@ -9,6 +9,15 @@ int report(const Error& error) {
     return error.code == ErrorCode::InvalidArgument ? kUsage : kFailed;
 }
 
+int reportLibrary(const Error& error, const std::string& path) {
+    int code = report(error);
+    if (error.code == ErrorCode::Conflict)
+        std::fprintf(stderr,
+                     "farol-cli: its photographs are kept; to train it again: farol-cli library retrain %s\n",
+                     path.c_str());
+    return code;
+}
+
 void warn(const std::string& text) {
     std::fprintf(stderr, "farol-cli: warning: %s\n", text.c_str());
 }

@@ -119,7 +119,7 @@ int lookAtAll(const std::vector<std::string>& sources, bool jsonLines, const Loo
 
 int recognise(const std::string& path, const std::vector<std::string>& sources, bool jsonLines) {
     auto library = loadLibrary(path);
-    if (!library) return report(library.error());
+    if (!library) return reportLibrary(library.error(), path);
     LandmarkRecogniser recogniser(std::make_shared<const LandmarkLibrary>(std::move(*library)));
     return lookAtAll(
         sources, jsonLines, [&](const cv::Mat& image) { return recogniser.recognise(image); },

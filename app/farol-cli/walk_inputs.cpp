@@ -46,7 +46,7 @@ bool openLibrary(const std::string& path, const std::string& map,
     }
     ErrorCode code = loaded.error().code;
     if (!given && (code == ErrorCode::NotFound || code == ErrorCode::UnsupportedFormat)) return true;
-    exitCode = report(loaded.error());
+    exitCode = reportLibrary(loaded.error(), given ? path : map);
     return false;
 }
 

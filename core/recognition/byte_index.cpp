@@ -12,15 +12,15 @@ namespace farol::recognition {
 
 namespace {
 
-constexpr int kBytes = 128;
+constexpr int kBytes = 128;     // of the usual descriptor, whose loops the compiler unrolls
 constexpr int kRounds = 6;      // of moving the middles
 constexpr int kRowsOfList = 64; // wanted on average
 constexpr int kMostMiddles = 16384;
 constexpr int kSamplesOfMiddle = 24; // rows that place it
 
-FAROL_WIDE int squaredDistance(const unsigned char* a, const unsigned char* b) {
+FAROL_WIDE int squaredDistance(const unsigned char* a, const unsigned char* b, int bytes) {
     int sum = 0;
-    for (int i = 0; i < kBytes; ++i) {
+    for (int i = 0; i < bytes; ++i) {
         auto difference = static_cast<short>(a[i] - b[i]);
         sum += difference * difference;
     }
@@ -29,7 +29,7 @@ FAROL_WIDE int squaredDistance(const unsigned char* a, const unsigned char* b) {
 
 /// Of one query to many rows at once, so that the choice of the processor's version is paid once; four rows
 /// side by side keep its units busy.
-FAROL_WIDE void squaredDistances(const unsigned char* query, const unsigned char* rows, int count, int* out) {
+FAROL_WIDE void usualDistances(const unsigned char* query, const unsigned char* rows, int count, int* out) {
     int row = 0;
     for (; row + 4 <= count; row += 4) {
         const unsigned char* b = rows + static_cast<std::ptrdiff_t>(row) * kBytes;
@@ -60,30 +60,37 @@ FAROL_WIDE void squaredDistances(const unsigned char* query, const unsigned char
     }
 }
 
+void squaredDistances(const unsigned char* query, const unsigned char* rows, int bytes, int count, int* out) {
+    if (bytes == kBytes) return usualDistances(query, rows, count, out);
+    for (int row = 0; row < count; ++row)
+        out[row] = squaredDistance(query, rows + static_cast<std::ptrdiff_t>(row) * bytes, bytes);
+}
+
 int nearest(const cv::Mat& middles, const unsigned char* row, std::vector<int>& distances) {
     distances.resize(static_cast<std::size_t>(middles.rows));
-    squaredDistances(row, middles.ptr(), middles.rows, distances.data());
+    squaredDistances(row, middles.ptr(), middles.cols, middles.rows, distances.data());
     return static_cast<int>(std::min_element(distances.begin(), distances.end()) - distances.begin());
 }
 
 /// Middles of the rows by k-means, begun from rows evenly picked. A middle that loses all its rows stays.
 cv::Mat middlesOf(const cv::Mat& rows, int count) {
-    cv::Mat middles(count, kBytes, CV_8U);
+    const int bytes = rows.cols;
+    cv::Mat middles(count, bytes, CV_8U);
     for (int i = 0; i < count; ++i)
         rows.row(static_cast<int>(static_cast<std::int64_t>(i) * rows.rows / count)).copyTo(middles.row(i));
     std::vector<int> distances;
     for (int round = 0; round < kRounds; ++round) {
-        cv::Mat sums = cv::Mat::zeros(count, kBytes, CV_32S);
+        cv::Mat sums = cv::Mat::zeros(count, bytes, CV_32S);
         std::vector<int> members(static_cast<std::size_t>(count), 0);
         for (int row = 0; row < rows.rows; ++row) {
             int at = nearest(middles, rows.ptr(row), distances);
             ++members[static_cast<std::size_t>(at)];
             int* sum = sums.ptr<int>(at);
-            for (int i = 0; i < kBytes; ++i) sum[i] += rows.ptr(row)[i];
+            for (int i = 0; i < bytes; ++i) sum[i] += rows.ptr(row)[i];
         }
         for (int at = 0; at < count; ++at) {
             int n = members[static_cast<std::size_t>(at)];
-            for (int i = 0; i < kBytes && n > 0; ++i)
+            for (int i = 0; i < bytes && n > 0; ++i)
                 middles.at<unsigned char>(at, i) =
                     static_cast<unsigned char>((sums.at<int>(at, i) + n / 2) / n);
         }
@@ -93,7 +100,7 @@ cv::Mat middlesOf(const cv::Mat& rows, int count) {
 
 cv::Mat evenly(const cv::Mat& rows, int most) {
     if (rows.rows <= most) return rows;
-    cv::Mat some(most, kBytes, CV_8U);
+    cv::Mat some(most, rows.cols, CV_8U);
     for (int i = 0; i < most; ++i)
         rows.row(static_cast<int>(static_cast<std::int64_t>(i) * rows.rows / most)).copyTo(some.row(i));
     return some;
@@ -151,14 +158,14 @@ struct ByteIndex::Best {
     }
 };
 
-int byteDistance(const unsigned char* a, const unsigned char* b) {
-    return squaredDistance(a, b);
+int ByteIndex::distance(const unsigned char* query, int row) const {
+    return squaredDistance(query, m_rows.ptr(row), m_rows.cols);
 }
 
 void ByteIndex::add(const cv::Mat& descriptors) {
     if (descriptors.empty()) return;
     int first = m_rows.rows;
-    if (m_rows.empty()) m_rows = cv::Mat(0, kBytes, CV_8U);
+    if (m_rows.empty()) m_rows = cv::Mat(0, descriptors.cols, CV_8U);
     m_rows.push_back(descriptors);
     if (m_rows.rows >= 2 * m_builtFor)
         rebuild();
@@ -202,7 +209,7 @@ std::size_t ByteIndex::nearestList(const unsigned char* row) const {
 void ByteIndex::append(int first) {
     for (int number = first; number < m_rows.rows; ++number) {
         List& list = m_lists[nearestList(m_rows.ptr(number))];
-        list.bytes.insert(list.bytes.end(), m_rows.ptr(number), m_rows.ptr(number) + kBytes);
+        list.bytes.insert(list.bytes.end(), m_rows.ptr(number), m_rows.ptr(number) + m_rows.cols);
         list.numbers.push_back(number);
     }
 }
@@ -213,7 +220,7 @@ Neighbours ByteIndex::search(const cv::Mat& queries, int neighbours, int checks)
     auto total = static_cast<std::size_t>(queries.rows) * static_cast<std::size_t>(neighbours);
     found.rows.assign(total, -1);
     found.distances.assign(total, std::numeric_limits<float>::max());
-    if (m_rows.empty()) return found;
+    if (m_rows.empty() || queries.cols != m_rows.cols) return found;
     Scratch scratch;
     for (const Visit& visit : visits(queries)) {
         std::size_t at = static_cast<std::size_t>(visit.query) * static_cast<std::size_t>(neighbours);
@@ -228,7 +235,8 @@ std::vector<ByteIndex::Visit> ByteIndex::visits(const cv::Mat& queries) const {
     std::vector<int> distances;
     std::vector<std::uint64_t> groups;
     for (int query = 0; query < queries.rows; ++query) {
-        squaredDistances(queries.ptr(query), m_groups.ptr(), m_groups.rows, room(distances, m_groups.rows));
+        squaredDistances(queries.ptr(query), m_groups.ptr(), m_groups.cols, m_groups.rows,
+                         room(distances, m_groups.rows));
         groups.clear();
         appendWords(distances.data(), m_groups.rows, 0, groups);
         std::size_t looked = std::min(kGroupsLooked, groups.size());
@@ -252,7 +260,7 @@ void ByteIndex::searchOne(const unsigned char* wanted, const std::array<int, kGr
         if (number < 0) break;
         auto group = static_cast<std::size_t>(number);
         const cv::Mat& middles = m_middles[group];
-        squaredDistances(wanted, middles.ptr(), middles.rows, room(distances, middles.rows));
+        squaredDistances(wanted, middles.ptr(), middles.cols, middles.rows, room(distances, middles.rows));
         appendWords(distances.data(), middles.rows, m_firstList[group], lists);
     }
     std::size_t sorted = 0;
@@ -260,7 +268,7 @@ void ByteIndex::searchOne(const unsigned char* wanted, const std::array<int, kGr
         if (next == sorted) sorted = sortedFurther(lists, sorted);
         const List& list = m_lists[whichOf(lists[next])];
         int count = static_cast<int>(list.numbers.size());
-        squaredDistances(wanted, list.bytes.data(), count, room(distances, count));
+        squaredDistances(wanted, list.bytes.data(), m_rows.cols, count, room(distances, count));
         for (std::size_t i = 0; i < list.numbers.size(); ++i)
             if (distances[i] < best.limit) best.offer(list.numbers[i], distances[i]);
         checks -= std::max(count, 1);
@@ -269,11 +277,11 @@ void ByteIndex::searchOne(const unsigned char* wanted, const std::array<int, kGr
 
 std::vector<RowMatch> ratioMatches(const cv::Mat& queries, const cv::Mat& rows, double ratio) {
     std::vector<RowMatch> matches;
-    if (queries.empty() || rows.rows < 2) return matches;
+    if (queries.empty() || rows.rows < 2 || queries.cols != rows.cols) return matches;
     cv::Mat table = rows.isContinuous() ? rows : rows.clone();
     std::vector<int> distances(static_cast<std::size_t>(table.rows));
     for (int query = 0; query < queries.rows; ++query) {
-        squaredDistances(queries.ptr(query), table.ptr(), table.rows, distances.data());
+        squaredDistances(queries.ptr(query), table.ptr(), table.cols, table.rows, distances.data());
         int best = std::numeric_limits<int>::max();
         int second = best;
         int row = -1;

@@ -9,9 +9,6 @@
 
 namespace farol::recognition {
 
-/// Squared Euclidean distance of two descriptors of 128 bytes.
-int byteDistance(const unsigned char* a, const unsigned char* b);
-
 struct Neighbours {
     int each = 0;                 ///< neighbours of one query
     std::vector<int> rows;        ///< each * queries; -1 where there is none
@@ -24,10 +21,11 @@ struct Neighbours {
 class ByteIndex {
 public:
     ByteIndex() = default;
-    /// `descriptors` CV_8U x 128; numbered on from the rows already there.
+    /// `descriptors` CV_8U, all of one width; numbered on from the rows already there.
     void add(const cv::Mat& descriptors);
     int size() const { return m_rows.rows; }
-    const unsigned char* row(int number) const { return m_rows.ptr(number); }
+    /// Squared Euclidean distance.
+    int distance(const unsigned char* query, int row) const;
 
     /// `checks`: rows compared at most, of the nearest lists; at least one list is looked through.
     Neighbours search(const cv::Mat& queries, int neighbours, int checks) const;

@@ -15,6 +15,7 @@ constexpr std::size_t kKeypointBytes = 7 * 4;
 constexpr std::size_t kHead = 12; // mark, rows, bytes a row
 constexpr std::uint32_t kMostRows = 1'000'000;
 constexpr std::uint32_t kMostColumns = 4096;
+constexpr std::uint32_t kWidest = 512; // of a descriptor
 
 void put(std::string& out, std::uint32_t value) {
     for (int shift = 0; shift < 32; shift += 8)
@@ -98,7 +99,7 @@ Result<Features> decodeFeatures(std::string_view keypoints, std::string_view des
     if (*points > 0 && number(keypoints, 8) != kKeypointBytes)
         return damaged("the keypoints are of another kind");
     std::uint32_t width = number(descriptors, 8);
-    if (width != 128) return damaged("the descriptors are of another kind");
+    if (width < 1 || width > kWidest) return damaged("the descriptors are of another kind");
     Features features;
     features.keypoints.reserve(*points);
     for (std::size_t i = 0; i < *points; ++i) {

@@ -10,6 +10,7 @@
 #include <opencv2/core.hpp>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -44,9 +45,13 @@ struct LandmarkLibrary {
 };
 
 /// Reads the `templates`, `views` and `farol` layers of a library file or of a map that holds one. Conflict
-/// when it was made with another extractor than `wanted` (both named in the message); UnsupportedFormat for a
-/// later version; Corrupt for damaged descriptor blobs (template and view named).
-Result<LandmarkLibrary> loadLibrary(const std::string& path, const ExtractorOptions& wanted = {});
+/// when it was made with another extractor than `wanted`, or without one wanted by an extractor that this
+/// program does not have (both named in the message); UnsupportedFormat for a later version; Corrupt for
+/// damaged descriptor blobs (template and view named).
+Result<LandmarkLibrary> loadLibrary(const std::string& path,
+                                    const std::optional<ExtractorOptions>& wanted = std::nullopt);
+/// The same without features, whatever extractor made them: what a library is trained again from.
+Result<LandmarkLibrary> loadPhotographs(const std::string& path);
 /// In one transaction, other layers of the file untouched; the old file stays whole on failure.
 Result<void> saveLibrary(const LandmarkLibrary& library, const std::string& path);
 

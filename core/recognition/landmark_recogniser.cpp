@@ -20,6 +20,7 @@ Result<void> RecogniserOptions::check() const {
         return wrong("between 1 and 100000 rows are compared", "searchChecks");
     if (minInliers < 4) return wrong("a homography needs at least 4 inliers", "minInliers");
     if (minPlaceInliers < 8) return wrong("epipolar geometry needs at least 8 inliers", "minPlaceInliers");
+    if (minMatches < 0) return wrong("the fewest matches cannot be negative", "minMatches");
     if (!(minLogOdds >= -50.0 && minLogOdds <= 50.0))
         return wrong("log-odds lie between -50 and 50", "minLogOdds");
     if (placeCandidates < 1 || placeCandidates > 1000)

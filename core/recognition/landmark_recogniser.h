@@ -17,7 +17,8 @@ struct RecogniserOptions {
     int neighbours = 8;
     int searchChecks = 400;  ///< rows compared with each of the frame's
     int minInliers = 6;      ///< of an object
-    double minLogOdds = 2.5; ///< that it is there, by all evidence together
+    int minMatches = 3;      ///< of an object, that the index found among all templates and that fit
+    double minLogOdds = 1.5; ///< that it is there, by all evidence together
     int minPlaceInliers = 12;
     double placeRatio = 0.8;
     int placeCandidates = 5; ///< verified one by one

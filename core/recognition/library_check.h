@@ -1,11 +1,13 @@
 #pragma once
-// Will a template be found, and what is it confused with? Each view is held back once and looked for with the
-// rest.
+// Will a template be found, from how far and how far aside, and what is it confused with? Each view is held
+// back once and looked for with the rest; then the best photograph is shown smaller and turned by
+// computation, in poses that training does not make, until it is found no more.
 
 #include "core/recognition/landmark_recogniser.h"
 
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,10 +18,19 @@ struct TemplateCheck {
     int views = 0;
     int tested = 0; ///< views that could be held back: none where a template has only one
     int found = 0;  ///< of those
-    std::map<std::string, int> confusedWith; ///< other templates named in its views, and how often
+    /// Other templates named in its views, held back or made, and how often: a row of the table of who is
+    /// taken for whom.
+    std::map<std::string, int> confusedWith;
+    int shown = 0;      ///< views made by computation; none of a place
+    int shownFound = 0; ///< of those
+    /// Longer side, in pixels of a frame 640 wide, at which it is still found squarely; 0 where never.
+    double smallestPx = 0.0;
+    std::optional<double>
+        farthestM;              ///< the same in metres for a 56 degree lens, where the real size is known
+    double widestDegrees = 0.0; ///< turned so far aside it is still found at 200 pixels; -1 where never
 };
 
-/// In the library's order. `progress` is told views done and in all.
+/// In the library's order. `progress` is told pictures done and in all.
 std::vector<TemplateCheck> checkLibrary(const LandmarkLibrary& library, const RecogniserOptions& options = {},
                                         const std::function<void(std::size_t, std::size_t)>& progress = {});
 

@@ -177,17 +177,25 @@ StoredView storedView(OGRFeature& feature, const std::string& path, int ordinal)
     return stored;
 }
 
-Result<void> checkExtractor(const StoredView& stored, const ExtractorOptions& wanted,
-                            ExtractorOptions& found) {
+/// `expected`: that of the views before, or the one wanted; empty before the first view where any will do.
+Result<void> checkExtractor(const StoredView& stored, std::optional<ExtractorOptions>& expected) {
     auto options = extractorFrom(stored.extractor, stored.parameters);
     if (!options)
         return Error{ErrorCode::Corrupt,
                      "the extractor's parameters cannot be read: \"" + stored.parameters + "\"",
                      stored.where};
-    found = *options;
-    if (found == wanted) return {};
+    if (!expected) {
+        if (auto known = options->check(); !known)
+            return Error{ErrorCode::Conflict,
+                         "the library was trained with " + options->description() + ", but " +
+                             known.error().message + "; train it again from its photographs",
+                         stored.where};
+        expected = options;
+    }
+    if (*options == *expected) return {};
     return Error{ErrorCode::Conflict,
-                 "the library was trained with " + found.description() + ", but " + wanted.description() +
+                 "the library was trained with " + options->description() + ", but " +
+                     expected->description() +
                      " is in use; train it again from its photographs, or choose its own extractor",
                  stored.where};
 }
@@ -202,6 +210,8 @@ Result<View> finishedView(StoredView stored) {
     stored.view.outline = *outline;
     auto features = decodeFeatures(stored.keypoints, stored.descriptors);
     if (!features) return damaged(features.error().message);
+    if (features->descriptors.rows > 0 && features->descriptors.cols != descriptorBytes(stored.extractor))
+        return damaged("the descriptors are not of the width that " + stored.extractor + " makes");
     if (stored.view.size.width < 1 || stored.view.size.height < 1)
         return damaged("the photograph's size is missing");
     if (checksumText(stored.view, {stored.keypoints, stored.descriptors}) != stored.checksum)
@@ -210,22 +220,37 @@ Result<View> finishedView(StoredView stored) {
     return std::move(stored.view);
 }
 
-Result<void> readViews(OGRLayer& layer, const std::string& path, const ExtractorOptions& wanted,
-                       LandmarkLibrary& library) {
+/// Only what training needs.
+Result<View> photographOf(StoredView stored) {
+    auto outline = outlineFrom(stored.outline);
+    if (!outline || stored.view.jpeg.empty())
+        return Error{ErrorCode::Corrupt, "the photograph or its outline is missing", stored.where};
+    stored.view.outline = *outline;
+    return std::move(stored.view);
+}
+
+enum class Want { Features, Photographs };
+
+Result<void> readViews(OGRLayer& layer, const std::string& path,
+                       const std::optional<ExtractorOptions>& wanted, Want want, LandmarkLibrary& library) {
     std::map<std::string, Template*> byName;
     for (Template& entry : library.templates) byName[entry.id.value] = &entry;
     std::map<std::string, int> ordinals;
+    std::optional<ExtractorOptions> expected = wanted;
     for (auto& feature : layer) {
         StoredView stored = storedView(*feature, path, ordinals[text(*feature, "template")]++);
         auto owner = byName.find(stored.templateName);
         if (owner == byName.end())
             return Error{ErrorCode::Corrupt, "a view belongs to a template that is not in the library",
                          stored.where};
-        if (auto same = checkExtractor(stored, wanted, library.extractor); !same) return same;
-        auto view = finishedView(std::move(stored));
+        if (want == Want::Features)
+            if (auto same = checkExtractor(stored, expected); !same) return same;
+        auto view =
+            want == Want::Features ? finishedView(std::move(stored)) : photographOf(std::move(stored));
         if (!view) return view.error();
         owner->second->views.push_back(std::move(*view));
     }
+    if (expected) library.extractor = *expected;
     return {};
 }
 
@@ -370,9 +395,8 @@ Result<void> writeInto(const std::filesystem::path& temporary, const LandmarkLib
     return closeVector(std::move(*dataset), path);
 }
 
-} // namespace
-
-Result<LandmarkLibrary> loadLibrary(const std::string& path, const ExtractorOptions& wanted) {
+Result<LandmarkLibrary> load(const std::string& path, const std::optional<ExtractorOptions>& wanted,
+                             Want want) {
     auto dataset = openVector(path);
     if (!dataset) return dataset.error();
     GdalMessages messages;
@@ -382,12 +406,21 @@ Result<LandmarkLibrary> loadLibrary(const std::string& path, const ExtractorOpti
     if (templates == nullptr || views == nullptr)
         return Error{ErrorCode::NotFound, "holds no landmark library (no layers templates and views)", path};
     LandmarkLibrary library;
-    library.extractor = wanted;
     if (auto read = readTemplates(*templates, path, library); !read) return read.error();
-    if (auto read = readViews(*views, path, wanted, library); !read) return read.error();
+    if (auto read = readViews(*views, path, wanted, want, library); !read) return read.error();
     if (messages.failed())
         return messages.error(ErrorCode::Corrupt, "the landmark library cannot be read", path);
     return library;
+}
+
+} // namespace
+
+Result<LandmarkLibrary> loadLibrary(const std::string& path, const std::optional<ExtractorOptions>& wanted) {
+    return load(path, wanted, Want::Features);
+}
+
+Result<LandmarkLibrary> loadPhotographs(const std::string& path) {
+    return load(path, std::nullopt, Want::Photographs);
 }
 
 Result<void> saveLibrary(const LandmarkLibrary& library, const std::string& path) {

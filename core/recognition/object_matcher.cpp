@@ -18,8 +18,7 @@ namespace {
 
 constexpr std::size_t kFewestVotes = 3;
 constexpr std::size_t kMostCandidates = 16;
-constexpr int kMostOfOneObject = 3;    // two extinguishers side by side are two
-constexpr int kGuidedDistance = 42000; // squared, of descriptors whose place is foretold
+constexpr int kMostOfOneObject = 3; // two extinguishers side by side are two
 
 Quad quadFrom(const std::array<cv::Point2f, 4>& corners) {
     Quad quad;
@@ -105,7 +104,9 @@ private:
 };
 
 ObjectMatcher::ObjectMatcher(const LandmarkLibrary& library, const RecogniserOptions& options)
-    : m_options(options) {
+    : m_options(options),
+      m_extractor(library.extractor.name),
+      m_likeEnough(likeEnough(library.extractor.name)) {
     std::vector<cv::Mat> descriptors;
     for (const Template& entry : library.templates)
         if (entry.kind != Kind::Place && !entry.views.empty()) addObject(entry, descriptors);
@@ -122,7 +123,8 @@ void ObjectMatcher::addObject(const Template& entry, std::vector<cv::Mat>& descr
                   patchOf(best, plane), static_cast<int>(m_rows.size()), 0};
     for (const View& view : entry.views) {
         addView(view, static_cast<int>(m_objects.size()), plane);
-        if (view.features.descriptors.rows > 0) descriptors.push_back(view.features.descriptors);
+        if (view.features.descriptors.rows > 0)
+            descriptors.push_back(comparable(m_extractor, view.features.descriptors));
     }
     object.rowCount = static_cast<int>(m_rows.size()) - object.firstRow;
     m_objects.push_back(std::move(object));
@@ -257,7 +259,7 @@ std::vector<ObjectMatcher::Pair> ObjectMatcher::guided(const Candidate& candidat
     float turn = candidate.where.angle * static_cast<float>(180.0 / kPi);
     float extent = std::exp2(candidate.where.logExtent);
     struct Nearest {
-        int row = -1, distance = kGuidedDistance;
+        int row = -1, distance = 0;
     };
     std::map<int, Nearest> best;
     for (int number = object.firstRow; number < object.firstRow + object.rowCount; ++number) {
@@ -270,10 +272,10 @@ std::vector<ObjectMatcher::Pair> ObjectMatcher::guided(const Candidate& candidat
             if (off.dot(off) > radius * radius || seen.size > 1.8F * size || size > 1.8F * seen.size) return;
             float angle = std::abs(std::remainder(seen.angle - row.angle - turn, 360.0F));
             if (angle > 40.0F) return;
-            int distance = byteDistance(frame.descriptors.ptr(query), m_index.row(number));
-            if (distance >= kGuidedDistance) return;
+            int distance = m_index.distance(frame.descriptors.ptr(query), number);
+            if (distance >= m_likeEnough) return;
             Nearest& nearest = best[query];
-            if (distance < nearest.distance) nearest = {number, distance};
+            if (nearest.row < 0 || distance < nearest.distance) nearest = {number, distance};
         });
     }
     std::vector<Pair> pairs;
@@ -373,7 +375,7 @@ ObjectMatcher::Judged ObjectMatcher::judged(const Candidate& candidate, const Fi
     // The grey values cost most, and where even perfect ones would not suffice they need no look.
     judged.evidence.correlation = 1.0;
     judged.odds = logOdds(judged.evidence);
-    if (judged.odds < m_options.minLogOdds) {
+    if (judged.odds < m_options.minLogOdds || judged.evidence.unguided < m_options.minMatches) {
         judged.reason = "few_inliers";
         judged.value = judged.evidence.unguided;
         return judged;
@@ -452,10 +454,11 @@ std::vector<ObjectMatcher::Candidate> ObjectMatcher::candidates(const Features& 
     return found;
 }
 
-DetectorResult ObjectMatcher::match(const cv::Mat& grey, const Features& frame,
+DetectorResult ObjectMatcher::match(const cv::Mat& grey, const Features& seen,
                                     std::vector<ObjectTrial>* trials) const {
     DetectorResult result;
-    if (empty() || frame.keypoints.empty()) return result;
+    if (empty() || seen.keypoints.empty()) return result;
+    Features frame{seen.keypoints, comparable(m_extractor, seen.descriptors)};
     FrameGrid grid(frame, grey.size());
     for (const Candidate& candidate : candidates(frame)) {
         // What lies inside an object already found is not found once more.

@@ -9,6 +9,7 @@
 #include "core/recognition/view_poses.h"
 
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace farol::recognition {
@@ -26,7 +27,7 @@ public:
     ObjectMatcher(const LandmarkLibrary& library, const RecogniserOptions& options);
     bool empty() const { return m_rows.empty(); }
     /// `trials`: told of every fit that is a sane outline, when wanted.
-    DetectorResult match(const cv::Mat& grey, const Features& frame,
+    DetectorResult match(const cv::Mat& grey, const Features& seen,
                          std::vector<ObjectTrial>* trials = nullptr) const;
 
 private:
@@ -105,6 +106,8 @@ private:
                 DetectorResult& result, std::vector<ObjectTrial>* trials) const;
 
     RecogniserOptions m_options;
+    std::string m_extractor;
+    int m_likeEnough;
     std::vector<Object> m_objects;
     std::vector<Look> m_looks;
     std::vector<Row> m_rows;

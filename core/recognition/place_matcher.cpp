@@ -106,7 +106,7 @@ double PlaceSupport::strength() const {
 }
 
 PlaceMatcher::PlaceMatcher(const LandmarkLibrary& library, const RecogniserOptions& options)
-    : m_options(options) {
+    : m_options(options), m_extractor(library.extractor.name) {
     std::vector<cv::Mat> descriptors;
     for (const Template& entry : library.templates) {
         if (entry.kind != Kind::Place) continue;
@@ -114,8 +114,8 @@ PlaceMatcher::PlaceMatcher(const LandmarkLibrary& library, const RecogniserOptio
             if (view.features.descriptors.rows == 0) continue;
             m_viewOfRow.insert(m_viewOfRow.end(), static_cast<std::size_t>(view.features.descriptors.rows),
                                static_cast<int>(m_views.size()));
-            m_views.push_back({&entry, &view});
-            descriptors.push_back(view.features.descriptors);
+            m_views.push_back({&entry, &view, comparable(m_extractor, view.features.descriptors)});
+            descriptors.push_back(m_views.back().descriptors);
         }
     }
     if (m_views.empty()) return;
@@ -126,7 +126,8 @@ PlaceMatcher::PlaceMatcher(const LandmarkLibrary& library, const RecogniserOptio
 }
 
 std::vector<int> PlaceMatcher::candidates(const Features& frame) const {
-    Neighbours near = m_index->search(frame.descriptors, m_options.neighbours, m_options.searchChecks);
+    Neighbours near = m_index->search(comparable(m_extractor, frame.descriptors), m_options.neighbours,
+                                      m_options.searchChecks);
     std::vector<double> votes(m_views.size(), 0.0);
     for (int query = 0; query < frame.descriptors.rows; ++query) {
         std::size_t first = static_cast<std::size_t>(query) * static_cast<std::size_t>(near.each);
@@ -157,8 +158,9 @@ PlaceSupport PlaceMatcher::verified(ImageSize frameSize, const Features& frame, 
     PlaceSupport support;
     support.view = view;
     auto matches = sameRoll(
-        oneToOne(ratioMatches(frame.descriptors, trained.features.descriptors, m_options.placeRatio)), frame,
-        trained.features);
+        oneToOne(ratioMatches(comparable(m_extractor, frame.descriptors),
+                              m_views[static_cast<std::size_t>(view)].descriptors, m_options.placeRatio)),
+        frame, trained.features);
     support.matches = static_cast<int>(matches.size());
     if (matches.size() < 8) return support;
     std::vector<cv::Point2f> here, there;

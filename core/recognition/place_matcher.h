@@ -35,6 +35,7 @@ private:
     struct PlaceView {
         const Template* entry = nullptr;
         const View* view = nullptr;
+        cv::Mat descriptors; ///< comparable
     };
 
     std::vector<int> candidates(const Features& frame) const;
@@ -42,6 +43,7 @@ private:
     bool sameSpot(int a, int b) const;
 
     RecogniserOptions m_options;
+    std::string m_extractor;
     std::vector<PlaceView> m_views;
     std::vector<int> m_viewOfRow;
     std::unique_ptr<ByteIndex> m_index;

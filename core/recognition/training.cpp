@@ -18,7 +18,11 @@ namespace {
 constexpr int kObjectKeypoints = 300; // a view; more add cost and no recall
 constexpr int kFewestObjectFeatures = 15;
 constexpr int kFewestPlaceFeatures = 30;
-constexpr int kMargin = 16; // pixels around an object, so that its border has features too
+/// Pixels around an object, so that its border has features too. SURF and ORB keep away from a picture's
+/// edge.
+int marginOf(const FeatureExtractor& extractor) {
+    return extractor.options().name == "rootsift" ? 16 : 40;
+}
 
 Error wrong(const std::string& message, const TrainingRequest& request) {
     return {ErrorCode::InvalidArgument, message, "template " + request.id.value};
@@ -114,9 +118,10 @@ Features objectFeatures(const cv::Mat& grey, const Quad& outline, const FeatureE
                   static_cast<int>(std::ceil(box.width)) + 1, static_cast<int>(std::ceil(box.height)) + 1);
     part &= cv::Rect(0, 0, grey.cols, grey.rows);
     cv::Mat padded;
+    const int margin = marginOf(extractor);
     // The margin shows what really surrounds the object where the photograph has it, and where it ends no
     // edge.
-    cv::Rect wide(part.x - kMargin, part.y - kMargin, part.width + 2 * kMargin, part.height + 2 * kMargin);
+    cv::Rect wide(part.x - margin, part.y - margin, part.width + 2 * margin, part.height + 2 * margin);
     cv::Rect inside = wide & cv::Rect(0, 0, grey.cols, grey.rows);
     cv::copyMakeBorder(grey(inside), padded, inside.y - wide.y, wide.br().y - inside.br().y,
                        inside.x - wide.x, wide.br().x - inside.br().x,
@@ -142,14 +147,15 @@ void addPose(Features& features, const cv::Mat& grey, const Quad& outline, const
     cv::GaussianBlur(grey, soft, cv::Size(), std::max(0.4, view->blur * reduction));
     cv::Matx33d half(1, 0, -0.5, 0, 1, -0.5, 0, 0,
                      1); // pixel centres stand at +0.5 with us, at 0 in warpPerspective
-    cv::Matx33d margin(1, 0, kMargin, 0, 1, kMargin, 0, 0, 1);
+    const int margin = marginOf(extractor);
+    cv::Matx33d inwards(1, 0, margin, 0, 1, margin, 0, 0, 1);
     cv::Mat picture;
-    cv::warpPerspective(soft, picture, half * margin * photoToPicture * half.inv(),
-                        cv::Size(view->size.width + 2 * kMargin, view->size.height + 2 * kMargin),
+    cv::warpPerspective(soft, picture, half * inwards * photoToPicture * half.inv(),
+                        cv::Size(view->size.width + 2 * margin, view->size.height + 2 * margin),
                         cv::INTER_LINEAR, cv::BORDER_CONSTANT, cv::Scalar(127));
     if (view->afterBlur > 0.0) cv::GaussianBlur(picture, picture, cv::Size(), view->afterBlur);
     Features seen = extractor.extract(picture);
-    shift(seen, -kMargin, -kMargin);
+    shift(seen, -margin, -margin);
     keepInside(seen, mapped(view->planeToPicture, plane.corners()), kObjectKeypoints);
     cv::Matx33d back = photoToPicture.inv();
     for (cv::KeyPoint& point : seen.keypoints) {
@@ -263,6 +269,27 @@ Result<void> addView(LandmarkLibrary& library, const TrainingRequest& request,
 
 bool removeTemplate(LandmarkLibrary& library, const TemplateId& id) {
     return std::erase_if(library.templates, [&](const Template& t) { return t.id == id; }) > 0;
+}
+
+Result<Retrained> retrain(const LandmarkLibrary& photographs, const ExtractorOptions& extractor,
+                          const std::function<void(std::size_t, std::size_t)>& progress) {
+    if (auto checked = extractor.check(); !checked) return checked.error();
+    Retrained fresh;
+    fresh.library.extractor = extractor;
+    std::size_t done = 0;
+    for (const Template& entry : photographs.templates) {
+        TrainingRequest request{entry.id, entry.kind, entry.name, entry.widthM, entry.heightM};
+        for (std::size_t i = 0; i < entry.views.size(); ++i) {
+            const View& view = entry.views[i];
+            if (auto added = addView(fresh.library, request, view.jpeg, view.outline); !added)
+                fresh.refused.push_back({added.error().code, added.error().message,
+                                         "template " + entry.id.value + ", view " + std::to_string(i)});
+            if (progress) progress(++done, photographs.viewCount());
+        }
+        if (fresh.library.find(entry.id) != nullptr)
+            fresh.library.templates.back().unknownKind = entry.unknownKind;
+    }
+    return fresh;
 }
 
 } // namespace farol::recognition

@@ -5,8 +5,10 @@
 #include "core/base/error.h"
 #include "core/recognition/landmark_library.h"
 
+#include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace farol::recognition {
 
@@ -24,6 +26,16 @@ struct TrainingRequest {
 /// says how many, and what to do).
 Result<void> addView(LandmarkLibrary& library, const TrainingRequest& request,
                      const std::string& pictureBytes, const std::optional<Quad>& outline);
+
+struct Retrained {
+    LandmarkLibrary library;
+    std::vector<Error> refused; ///< views that do not serve the new extractor
+};
+
+/// The same templates with another extractor, from their photographs (see loadPhotographs). `progress` is
+/// told views done and in all.
+Result<Retrained> retrain(const LandmarkLibrary& photographs, const ExtractorOptions& extractor,
+                          const std::function<void(std::size_t, std::size_t)>& progress = {});
 
 /// False when there is no such template.
 bool removeTemplate(LandmarkLibrary& library, const TemplateId& id);

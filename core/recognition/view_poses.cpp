@@ -94,6 +94,15 @@ std::optional<PosedView> posedView(const Plane& plane, int pose, double longSide
     return view;
 }
 
+cv::Matx33d seenFrom(const Plane& plane, double longSidePx, double yawDegrees, double focal, cv::Size frame) {
+    double yaw = fromDegrees(yawDegrees).value;
+    // The plane's longer side is one unit, as far away as it then looks that long.
+    double m = 1.0 / std::max(plane.width, plane.height);
+    cv::Matx33d place(std::cos(yaw) * m, 0, 0, 0, m, 0, -std::sin(yaw) * m, 0, focal / longSidePx);
+    cv::Matx33d centre(1, 0, -plane.width / 2, 0, 1, -plane.height / 2, 0, 0, 1);
+    return cv::Matx33d(focal, 0, frame.width / 2.0, 0, focal, frame.height / 2.0, 0, 0, 1) * place * centre;
+}
+
 double posedLongSide(const Quad& outline) {
     double longer = std::max({side(outline, 0), side(outline, 1), side(outline, 2), side(outline, 3)});
     return std::clamp(longer, 200.0, 600.0);

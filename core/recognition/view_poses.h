@@ -38,6 +38,9 @@ struct PosedView {
     double afterBlur = 0.0; ///< pixels, of the finished picture
 };
 std::optional<PosedView> posedView(const Plane& plane, int pose, double longSidePx);
+/// Plane to the middle of a frame, its longer side `longSidePx` long when seen squarely, turned about the
+/// upright.
+cv::Matx33d seenFrom(const Plane& plane, double longSidePx, double yawDegrees, double focal, cv::Size frame);
 /// The length of the longer side at which the poses of a photograph are made.
 double posedLongSide(const Quad& outline);
 /// Is the plane seen so squarely that other views can be made from this photograph?

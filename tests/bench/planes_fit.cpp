@@ -4,6 +4,7 @@
 //   bench_planes_fit gather DATA SEED -1 DRAWN > rooms.tsv        photographs only
 //   bench_planes_fit write DATA SEED FRAMES FOLDER                a set of files: farol-cli evaluate
 //                                                                  recognition --data FOLDER, or the peer
+//   bench_planes_fit measure DATA SEED FRAMES EXTRACTOR           a row of a table, once fitted
 //   bench_planes_fit fit trials.tsv...                            the weights
 
 #include "app/farol-cli/evaluate/data_set.h"
@@ -49,8 +50,9 @@ double overlap(const Quad& a, const Quad& b) {
     return both / (cv::contourArea(pa) + cv::contourArea(pb) - both);
 }
 
-LandmarkLibrary trained(const PlaneComposer& composer, int drawn) {
+LandmarkLibrary trained(const PlaneComposer& composer, int drawn, const ExtractorOptions& extractor = {}) {
     LandmarkLibrary library;
+    library.extractor = extractor;
     for (int number = 0; number < composer.templateCount(); ++number) {
         ComposedTemplate entry = composer.templateAt(number);
         for (const ComposedView& view : entry.views) {
@@ -87,6 +89,16 @@ void look(const ObjectMatcher& matcher, const FeatureExtractor& extractor, const
     }
 }
 
+std::vector<std::filesystem::path> roomFolders(const std::filesystem::path& data) {
+    std::vector<std::filesystem::path> folders{data / "images/vpr_corridor_fisheye/query",
+                                               data / "images/vpr_corridor_fisheye/ref"};
+    std::error_code ignored;
+    for (const auto& clip : std::filesystem::directory_iterator(data / "images/tower/frames", ignored))
+        if (clip.is_directory()) folders.push_back(clip.path());
+    std::sort(folders.begin(), folders.end());
+    return folders;
+}
+
 int gather(const std::string& data, std::uint64_t seed, int frames, int drawn) {
     auto composer = PlaneComposer::open(data, seed);
     if (!composer) {
@@ -97,14 +109,15 @@ int gather(const std::string& data, std::uint64_t seed, int frames, int drawn) {
     FeatureExtractor extractor(library.extractor);
     RecogniserOptions everything; // is tried and told
     everything.minInliers = 4;
+    everything.minMatches = 0;
     everything.minLogOdds = -50.0;
     ObjectMatcher matcher(library, everything);
     for (int number = 0; number < frames; ++number)
         look(matcher, extractor, composer->frameAt(number), number);
     if (frames >= 0) return 0;
     int number = 0;
-    for (const char* folder : {"tower/frames", "vpr_corridor_fisheye/query", "vpr_corridor_fisheye/ref"})
-        for (const auto& file : cli::picturesOf(std::filesystem::path(data) / "images" / folder)) {
+    for (const std::filesystem::path& folder : roomFolders(data))
+        for (const auto& file : cli::picturesOf(folder)) {
             cv::Mat picture = cv::imread(file.string());
             if (!picture.empty()) look(matcher, extractor, {asFrame(picture), 3, {}}, number++);
         }
@@ -151,6 +164,45 @@ int write(const std::string& data, std::uint64_t seed, int frames, std::filesyst
                   << "\", \"quad\": " << cornersOf(frame.shown[i].quad) << "}";
         shown << "]}\n";
     }
+    return 0;
+}
+
+/// One row of a table: recall easy, medium, hard; precision; false in frames without a template; such frames;
+/// median milliseconds of the processor.
+int measure(const std::string& data, std::uint64_t seed, int frames, const std::string& extractor) {
+    auto composer = PlaneComposer::open(data, seed);
+    auto options = ExtractorOptions::named(extractor);
+    if (!composer || !options) {
+        std::fprintf(stderr, "%s\n", (composer ? options.error() : composer.error()).message.c_str());
+        return 1;
+    }
+    LandmarkRecogniser recogniser(std::make_shared<const LandmarkLibrary>(trained(*composer, 0, *options)));
+    std::array<int, 3> shown{}, found{};
+    int wrong = 0, wrongInEmpty = 0, empty = 0, right = 0;
+    std::vector<double> times;
+    for (int number = 0; number < frames; ++number) {
+        ComposedFrame frame = composer->frameAt(number);
+        double start = cli::cpuMilliseconds();
+        auto detections = recogniser.recognise(frame.image).detections;
+        times.push_back(cli::cpuMilliseconds() - start);
+        auto difficulty = static_cast<std::size_t>(frame.difficulty);
+        shown[difficulty] += static_cast<int>(frame.shown.size());
+        empty += frame.shown.empty() ? 1 : 0;
+        for (const Detection& detection : detections) {
+            bool hit = std::any_of(frame.shown.begin(), frame.shown.end(), [&](const auto& one) {
+                return one.name == detection.templateId.value && overlap(one.quad, detection.quad) > 0.5;
+            });
+            (hit ? right : wrong) += 1;
+            found[difficulty] += hit ? 1 : 0;
+            wrongInEmpty += frame.shown.empty() ? 1 : 0;
+        }
+    }
+    std::sort(times.begin(), times.end());
+    std::printf("| %s |", extractor.c_str());
+    for (std::size_t i = 0; i < 3; ++i)
+        std::printf(" %.3f |", static_cast<double>(found[i]) / std::max(1, shown[i]));
+    std::printf(" %.4f | %d | %d | %.1f |\n", static_cast<double>(right) / std::max(1, right + wrong),
+                wrongInEmpty, empty, times.empty() ? 0.0 : times[times.size() / 2]);
     return 0;
 }
 
@@ -251,6 +303,8 @@ int main(int argc, char** argv) {
         return gather(argv[2], std::strtoull(argv[3], nullptr, 10), number(4), number(5));
     if (argc == 6 && std::strcmp(argv[1], "write") == 0)
         return write(argv[2], std::strtoull(argv[3], nullptr, 10), number(4), argv[5]);
+    if (argc == 6 && std::strcmp(argv[1], "measure") == 0)
+        return measure(argv[2], std::strtoull(argv[3], nullptr, 10), number(4), argv[5]);
     if (argc > 2 && std::strcmp(argv[1], "fit") == 0)
         return fit(std::vector<std::string>(argv + 2, argv + argc));
     return 2;

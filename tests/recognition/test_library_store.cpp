@@ -126,12 +126,71 @@ TEST(LibraryStore, AnotherExtractorIsRefusedWithBothNames) {
     EXPECT_THAT(refused.error().text(), HasSubstr(ExtractorOptions{}.description()));
 }
 
+TEST(LibraryStore, ALibraryOpensWithItsOwnExtractorWhereNoneIsWanted) {
+    for (const std::string& name : extractorNames()) {
+        farol::test::TemporaryFolder folder;
+        std::string path = (folder / "library.gpkg").string();
+        LandmarkLibrary library;
+        library.extractor = *ExtractorOptions::named(name);
+        test::trainPoster(library, 1);
+        ASSERT_TRUE(saveLibrary(library, path)) << name;
+        auto read = loadLibrary(path);
+        ASSERT_TRUE(read) << name << ": " << read.error().text();
+        EXPECT_EQ(read->extractor, library.extractor) << name;
+        ASSERT_EQ(read->templates.size(), 1U);
+        EXPECT_EQ(read->templates[0].views[0].features.descriptors.cols, descriptorBytes(name)) << name;
+    }
+}
+
 /// Runs SQL on the file as a curator's tool might.
 void sql(const std::string& path, const std::string& statement) {
     auto dataset = openVector(path, OpenMode::Update);
     ASSERT_TRUE(dataset);
     (*dataset)->ReleaseResultSet((*dataset)->ExecuteSQL(statement.c_str(), nullptr, nullptr));
     ASSERT_TRUE(closeVector(std::move(*dataset), path));
+}
+
+TEST(LibraryStore, AnUnknownExtractorIsRefusedAndItsPhotographsAreTrainedAgain) {
+    farol::test::TemporaryFolder folder;
+    std::string path = (folder / "library.gpkg").string();
+    LandmarkLibrary before = twoPosters();
+    ASSERT_TRUE(saveLibrary(before, path));
+    for (const char* change : {"UPDATE views SET extractor = 'superpoint'",
+                               "UPDATE views SET extractor_parameters = replace(extractor_parameters, "
+                               "'version=2', 'version=1')"}) {
+        sql(path, change);
+        auto refused = loadLibrary(path);
+        ASSERT_FALSE(refused) << change;
+        EXPECT_EQ(refused.error().code, ErrorCode::Conflict) << change;
+        EXPECT_THAT(refused.error().text(), HasSubstr("train it again from its photographs")) << change;
+        auto photographs = loadPhotographs(path);
+        ASSERT_TRUE(photographs) << change;
+        auto again = retrain(*photographs, {});
+        ASSERT_TRUE(again) << change;
+        EXPECT_THAT(again->refused, testing::IsEmpty());
+        ASSERT_TRUE(saveLibrary(again->library, path));
+        auto read = loadLibrary(path);
+        ASSERT_TRUE(read) << change;
+        ASSERT_EQ(read->templates.size(), before.templates.size());
+        for (std::size_t i = 0; i < before.templates.size(); ++i) {
+            EXPECT_EQ(read->templates[i].id, before.templates[i].id);
+            EXPECT_EQ(read->templates[i].views.size(), before.templates[i].views.size());
+            EXPECT_EQ(read->templates[i].views[0].features.keypoints.size(),
+                      before.templates[i].views[0].features.keypoints.size());
+        }
+    }
+}
+
+TEST(LibraryStore, DescriptorsOfAnotherWidthAreDamage) {
+    farol::test::TemporaryFolder folder;
+    std::string path = (folder / "library.gpkg").string();
+    LandmarkLibrary library = twoPosters();
+    library.templates[0].views[0].features.descriptors =
+        library.templates[0].views[0].features.descriptors.colRange(0, 64).clone();
+    ASSERT_TRUE(saveLibrary(library, path));
+    auto refused = loadLibrary(path);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().code, ErrorCode::Corrupt);
 }
 
 TEST(LibraryStore, DamageIsNamedByTemplateAndView) {

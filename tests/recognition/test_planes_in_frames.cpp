@@ -95,6 +95,24 @@ TEST(PlanesInFrames, PosterMadeOfPiecesOfTwoIsNotBoth) {
     EXPECT_EQ(found[0].templateId.value, "poster-1");
 }
 
+TEST(PlanesInFrames, EveryExtractorFindsItsOwnPostersAndNoOthers) {
+    for (const std::string& name : extractorNames()) {
+        auto library = std::make_shared<LandmarkLibrary>();
+        library->extractor = *ExtractorOptions::named(name);
+        for (std::uint64_t seed = 1; seed <= 4; ++seed) test::trainPoster(*library, seed);
+        LandmarkRecogniser own(library);
+        const Quad quad{ImagePoint{200, 100}, {430, 130}, {430, 310}, {200, 320}};
+        cv::Mat shown = test::room(1), strange = test::room(2);
+        test::hang(shown, test::poster(3), quad);
+        test::hang(strange, test::poster(60), quad);
+        auto found = own.recognise(shown).detections;
+        ASSERT_EQ(found.size(), 1U) << name;
+        EXPECT_EQ(found[0].templateId.value, "poster-3") << name;
+        EXPECT_GT(test::sharedArea(found[0].quad, quad), 0.8) << name;
+        EXPECT_THAT(own.recognise(strange).detections, testing::IsEmpty()) << name;
+    }
+}
+
 TEST(PlanesInFrames, APictureOfTwentyThousandPixelsIsAnswered) {
     cv::Mat picture = test::room(1), wide, tall;
     test::hang(picture, test::poster(2), quadOf({180, 120, 280, 210}));

@@ -227,6 +227,37 @@ TEST(LibraryCheck, SaysWhatIsFoundAndWhatIsConfused) {
     EXPECT_EQ(checks[2].tested, 0) << "one view only";
 }
 
+TEST(LibraryCheck, SaysHowFarAndHowFarAsideATemplateHolds) {
+    LandmarkLibrary library;
+    test::trainPoster(library, 1);
+    TrainingRequest sized;
+    sized.id = TemplateId("sized");
+    sized.kind = Kind::Poster;
+    sized.widthM = 0.8;
+    sized.heightM = 0.6;
+    ASSERT_TRUE(addView(library, sized, test::jpeg(test::poster(2)), {}));
+    test::trainPoster(library, 9, Kind::Place);
+    std::size_t told = 0, expected = 0;
+    auto checks = checkLibrary(library, {}, [&](std::size_t done, std::size_t all) {
+        told = done;
+        expected = all;
+    });
+    EXPECT_EQ(told, expected);
+    ASSERT_EQ(checks.size(), 3U);
+    for (std::size_t i = 0; i < 2; ++i) {
+        EXPECT_EQ(checks[i].shown, 10);
+        EXPECT_GE(checks[i].shownFound, 5);
+        EXPECT_GT(checks[i].smallestPx, 0.0);
+        EXPECT_LE(checks[i].smallestPx, 100.0);
+        EXPECT_GE(checks[i].widestDegrees, 40.0);
+        EXPECT_TRUE(checks[i].confusedWith.empty());
+    }
+    EXPECT_FALSE(checks[0].farthestM) << "no real size is known";
+    ASSERT_TRUE(checks[1].farthestM);
+    EXPECT_NEAR(*checks[1].farthestM, 600.0 * 0.8 / checks[1].smallestPx, 1e-6);
+    EXPECT_EQ(checks[2].shown, 0) << "a place is no plane";
+}
+
 TEST(Sharpness, FallsWithBlurAndIsNothingOnABlankWall) {
     cv::Mat sharp = test::poster(1), soft, smeared;
     cv::GaussianBlur(sharp, soft, cv::Size(), 2.0);

@@ -3,10 +3,6 @@
 // Prints one row: recall easy, medium, hard; precision; false in frames without a template; such frames;
 // median milliseconds of the processor. find_object.sh builds it.
 
-#include <find_object/DetectionInfo.h>
-#include <find_object/FindObject.h>
-#include <find_object/Settings.h>
-
 #include <QtCore/QCoreApplication>
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
@@ -17,6 +13,9 @@
 #include <cmath>
 #include <cstdio>
 #include <ctime>
+#include <find_object/DetectionInfo.h>
+#include <find_object/FindObject.h>
+#include <find_object/Settings.h>
 #include <fstream>
 #include <map>
 #include <set>
@@ -53,7 +52,7 @@ std::map<int, std::string> train(const std::string& set, find_object::FindObject
     for (std::string line; std::getline(in, line);) {
         json one = json::parse(line);
         if (one.at("view").get<int>() != 0) continue;
-        cv::Mat picture = cv::imread(set + "/" + one.at("file").get<std::string>());
+        cv::Mat picture = cv::imread(set + "/" + one.at("file").get<std::string>(), cv::IMREAD_GRAYSCALE);
         cv::Rect box = cv::boundingRect(outlineFrom(one.at("outline"))) & cv::Rect({}, picture.size());
         finder.addObject(picture(box).clone(), ++id);
         names[id] = one.at("template").get<std::string>();
@@ -122,7 +121,7 @@ int main(int argc, char** argv) {
     std::ifstream in(set + "/frames.jsonl");
     for (std::string line; std::getline(in, line);) {
         json one = json::parse(line);
-        cv::Mat picture = cv::imread(set + "/" + one.at("file").get<std::string>());
+        cv::Mat picture = cv::imread(set + "/" + one.at("file").get<std::string>(), cv::IMREAD_GRAYSCALE);
         find_object::DetectionInfo info;
         double start = cpuMilliseconds();
         finder.detect(picture, info);

@@ -161,7 +161,7 @@ private:
     }
 
     void sockets(const PlanEdge& edge) {
-        int count = static_cast<int>(edge.length / 3.5);
+        int count = static_cast<int>(std::min(edge.length / 3.5, 100.0));
         for (int i = 0; i < count; ++i) {
             double at = (i + m_draw.between(0.2, 0.8)) * edge.length / count;
             if (m_plan.floorKept || !solidWall(edge, at - 0.1, at + 0.1, 0.1, 0.5)) continue;
@@ -192,7 +192,9 @@ private:
                 inside = inside && distanceToSegment(p, edge.a, edge.b) > 0.45;
             if (m_plan.ceilingKept && dot(p - m_plan.ceilingKept->onLine, m_plan.ceilingKept->keep) < 0.3)
                 inside = false;
-            for (const Lamp& lamp : m_scene.lamps) {
+            auto [first, behind] = m_scene.lampsOf[m_region];
+            for (std::size_t k = first; k < behind; ++k) {
+                const Lamp& lamp = m_scene.lamps[k];
                 Vec3 way = lamp.position - vecOf(p, m_floor + m_ceiling);
                 if (inside && way.x * way.x + way.y * way.y < 0.8F && std::abs(way.z) < 0.5F) inside = false;
             }

@@ -13,7 +13,7 @@ namespace farol::simulation {
 
 namespace {
 
-constexpr std::size_t kSampleBudget = 700000;
+constexpr std::size_t kSampleBudget = 450000;
 constexpr float kFinestCellM = 0.22F, kReachM = 9.0F;
 constexpr int kRays = 16;
 const Vec3 kSky{1.1F, 1.2F, 1.35F};

@@ -80,6 +80,27 @@ public:
         }
     }
 
+    /// A floor's polish is uneven: what it mirrors is spread a little.
+    void softenRow(int row) {
+        int rows = (m_height + 1) / 2;
+        for (int x = 0; x < m_halfWidth; ++x) {
+            Light sum;
+            for (int y = std::max(0, row - 1); y <= std::min(rows - 1, row + 1); ++y) {
+                for (int k = std::max(0, x - 1); k <= std::min(m_halfWidth - 1, x + 1); ++k) {
+                    const Light& cell = m_buffers.mirrored[halfAt(k, y)];
+                    sum.red += cell.red;
+                    sum.green += cell.green;
+                    sum.blue += cell.blue;
+                    sum.spare += cell.spare;
+                }
+            }
+            float share = sum.spare > 0.0F ? 1.0F / sum.spare : 0.0F;
+            bool own = m_buffers.mirrored[halfAt(x, row)].spare > 0.0F;
+            m_buffers.polished[halfAt(x, row)] = {sum.red * share, sum.green * share, sum.blue * share,
+                                                  own ? 1.0F : 0.0F};
+        }
+    }
+
     void paintRow(int y, bool fourRays) {
         std::vector<int> edges;
         for (int x = 0; x < m_width; ++x) {
@@ -105,10 +126,11 @@ private:
     std::size_t at(int x, int y) const {
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(m_width) + static_cast<std::size_t>(x);
     }
-    Light& mirroredAt(int x, int y) {
-        return m_buffers.mirrored[static_cast<std::size_t>(y / 2) * static_cast<std::size_t>(m_halfWidth) +
-                                  static_cast<std::size_t>(x / 2)];
+    std::size_t halfAt(int x, int y) const {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(m_halfWidth) +
+               static_cast<std::size_t>(x);
     }
+    Light& mirroredAt(int x, int y) { return m_buffers.mirrored[halfAt(x / 2, y / 2)]; }
     Vec3 centreOf(int x, int y) const {
         const ImagePoint& ray = m_lens.centres()[at(x, y)];
         return m_sight.direction(static_cast<float>(ray.x), static_cast<float>(ray.y));
@@ -146,7 +168,7 @@ private:
         for (int cy = top; cy <= top + 1; ++cy) {
             for (int cx = left; cx <= left + 1; ++cx) {
                 if (2 * cx >= m_width || 2 * cy >= m_height) continue;
-                const Light& cell = mirroredAt(2 * cx, 2 * cy);
+                const Light& cell = m_buffers.polished[halfAt(cx, cy)];
                 float share = cell.spare * (2.01F - std::abs(static_cast<float>(x - 2 * cx))) *
                               (2.01F - std::abs(static_cast<float>(y - 2 * cy)));
                 sum = sum + Vec3{cell.red, cell.green, cell.blue} * share;
@@ -207,6 +229,8 @@ void drawPicture(const Shader& shader, const Lens& lens, const Sight& sight, int
     inParallel((size.height + kBlock - 1) / kBlock, threads, [&](int block) { picture.traceRows(block); });
     inParallel((size.height + 2 * kBlock - 1) / (2 * kBlock), threads,
                [&](int block) { picture.mirrorRows(block); });
+    buffers.polished.resize(buffers.mirrored.size());
+    inParallel((size.height + 1) / 2, threads, [&](int row) { picture.softenRow(row); });
     inParallel(size.height, threads, [&](int y) { picture.paintRow(y, raysPerPixel == 4); });
 }
 

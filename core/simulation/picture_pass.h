@@ -15,6 +15,7 @@ struct PictureBuffers {
     std::vector<float> depth;    ///< forward metres
     std::vector<RayHit> hits;    ///< of pixel centres
     std::vector<Light> mirrored; ///< half as wide and high; `spare` is 1 where there is something
+    std::vector<Light> polished; ///< the same, softened
     cv::Mat ids;                 ///< 16-bit, 1 + thing or 0
 };
 

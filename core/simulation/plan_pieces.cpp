@@ -100,12 +100,18 @@ std::vector<Band> bandsOf(const Polygon& polygon, Point2 axis, double overlap) {
     std::sort(lines.begin(), lines.end());
     lines.erase(std::unique(lines.begin(), lines.end(), [](double a, double b) { return b - a < kSame; }),
                 lines.end());
+    std::sort(edges.begin(), edges.end(), [](const auto& a, const auto& b) { return a.first.y < b.first.y; });
     std::vector<Band> bands;
+    std::vector<std::size_t> active; // edges that reach into the band
+    std::size_t next = 0;
     for (std::size_t i = 1; i < lines.size(); ++i) {
         double low = lines[i - 1], high = lines[i], middle = (low + high) / 2;
+        while (next < edges.size() && edges[next].first.y <= middle) active.push_back(next++);
+        std::erase_if(active, [&](std::size_t edge) { return edges[edge].second.y < middle; });
         std::vector<Crossing> crossings;
-        for (const auto& [p, q] : edges) {
-            if (p.y > middle || q.y < middle || q.y - p.y < kSame / 2) continue;
+        for (std::size_t edge : active) {
+            const auto& [p, q] = edges[edge];
+            if (q.y - p.y < kSame / 2) continue;
             double slope = (q.x - p.x) / (q.y - p.y);
             crossings.push_back({p.x + (low - p.y) * slope, p.x + (high - p.y) * slope});
         }

@@ -159,6 +159,11 @@ private:
     Storey3 m_heights;
 };
 
+/// A region as large as a town is lit sparsely rather than for hours.
+int lampsAlong(double metres, double step) {
+    return static_cast<int>(std::lround(std::clamp(metres / step, 1.0, 60.0)));
+}
+
 /// Parts of a line that run through the open floor of a region, clear of its borders and doors.
 void addDrawnWall(SceneData& scene, std::size_t region, Point2 a, Point2 b, double floor, double top) {
     const RegionPlan& plan = scene.plan.regions[region];
@@ -167,12 +172,15 @@ void addDrawnWall(SceneData& scene, std::size_t region, Point2 a, Point2 b, doub
     int count = static_cast<int>(whole / kStep);
     if (count < 2 || count > 100000) return;
     Point2 along = (b - a) * (1.0 / whole), side = Point2{-along.y, along.x} * kHalfThick;
+    std::vector<const Portal*> portals;
+    for (const Portal& portal : scene.plan.portals)
+        if (portal.into == region || portal.outOf == region) portals.push_back(&portal);
     auto free = [&](Point2 p) {
         if (!contains(plan.polygon, p)) return false;
         for (const PlanEdge& edge : plan.edges)
             if (distanceToSegment(p, edge.a, edge.b) < kClear) return false;
-        for (const Portal& portal : scene.plan.portals)
-            if (distanceToSegment(p, portal.a, portal.b) < 1.0) return false;
+        for (const Portal* portal : portals)
+            if (distanceToSegment(p, portal->a, portal->b) < 1.0) return false;
         return true;
     };
     MeshBuilder builder(scene.mesh);
@@ -245,6 +253,7 @@ void addGround(SceneData& scene) {
 }
 
 void addLamps(SceneData& scene) {
+    scene.lampsOf.assign(scene.plan.regions.size(), {0, 0});
     for (const RegionPlan& plan : scene.plan.regions) {
         if (plan.polygon.outer.empty() || plan.outside) continue;
         const building::Region& region = scene.building->regions()[plan.region];
@@ -263,8 +272,9 @@ void addLamps(SceneData& scene) {
         bool corridor = region.kind == RegionKind::Corridor;
         double step = corridor ? 2.9 : 2.6;
         double half = style.lampKind == 1 ? 0.6 : 0.3, narrow = style.lampKind == 1 ? 0.15 : 0.3;
-        int columns = std::max(1, static_cast<int>(std::lround((highU - lowU) / step)));
-        int rows = std::max(1, static_cast<int>(std::lround((highV - lowV) / step)));
+        int columns = lampsAlong(highU - lowU, step);
+        int rows = lampsAlong(highV - lowV, step);
+        std::size_t firstLamp = scene.lamps.size();
         int placed = 0;
         auto place = [&](Point2 at) {
             Vec3 corner = vecOf(at - axis * half + across * narrow, heights.ceiling - 0.03);
@@ -292,6 +302,7 @@ void addLamps(SceneData& scene) {
             }
         }
         if (placed == 0) place(pointInside(roof)); // narrow or bent: at least one
+        scene.lampsOf[plan.region] = {firstLamp, scene.lamps.size()};
     }
 }
 

@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace farol::simulation {
@@ -84,6 +85,7 @@ struct SceneData {
     double pictureScale = 1.0; ///< of pictures on walls: where there are many, each is coarser
     std::vector<Vec3> light;   ///< samples of the surfaces of both meshes
     std::vector<Lamp> lamps;
+    std::vector<std::pair<std::size_t, std::size_t>> lampsOf; ///< by region: first and behind the last
     std::vector<Thing> things;
     std::vector<StairsPlan> stairs;
     std::vector<RegionStyle> styles; ///< by region

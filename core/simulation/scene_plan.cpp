@@ -399,7 +399,7 @@ private:
     void addWindowsAlong(RegionPlan& plan, PlanEdge& edge, const building::Region& region, double from,
                          double to) {
         constexpr double kWindowM = 1.3, kStepM = 2.4;
-        int count = static_cast<int>((to - from - 0.6) / kStepM);
+        int count = static_cast<int>(std::min((to - from - 0.6) / kStepM, 100.0));
         double ceiling = m_plan.storeys.at(region.level).ceilingM;
         for (int i = 0; i < count; ++i) {
             Draw draw(hashOf(hashOf(m_seed, region.id.value), static_cast<std::uint64_t>(i) + 7));

@@ -31,7 +31,7 @@ struct CameraOptions {
     double noise = 1.0;             ///< of the sensor, 1 as a small webcam; 0: none
     int jpegQuality = 92;           ///< 0: no compression
     Shake shake = Shake::None;      ///< on top of what the pose says
-    bool lightsOut = false;         ///< lamps off: what daylight and a few emergency lamps show
+    bool lightsOut = false;         ///< three hundredths of the light are left, indoors and out
     std::uint64_t seed = 1;
     int threads = 0; ///< 0: one for each core
 

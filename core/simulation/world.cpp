@@ -53,6 +53,12 @@ Result<std::shared_ptr<SceneData>> assemble(std::shared_ptr<const building::Buil
                      "the map gives a world of " + std::to_string(scene->mesh.quads.size()) +
                          " pieces; at most 8 million fit into memory",
                      scene->building->data().title};
+    constexpr std::size_t kMostThings = 65'000; // they are numbered in 16 bits
+    if (scene->things.size() > kMostThings)
+        return Error{ErrorCode::InvalidArgument,
+                     "the map has " + std::to_string(scene->things.size()) +
+                         " landmarks and doors; a simulated world holds at most 65000",
+                     scene->building->data().title};
     for (std::size_t i = 0; i < scene->mesh.quads.size(); ++i) {
         std::int32_t thing = scene->mesh.surfaces[scene->mesh.surfaceOf[i]].thing;
         if (thing >= 0)

@@ -1,4 +1,5 @@
 #include "core/recognition/door_detector.h"
+#include "core/simulation/lens.h"
 #include "core/simulation/path_camera.h"
 
 #include <opencv2/imgproc.hpp>
@@ -145,7 +146,9 @@ TEST(SimulatedCamera, ProjectedCornersAgreeWithTheIdPicture) {
         poster.position.x = i < 2 ? 3.0 + 1.5 * i : 9.3 + 0.9 * i;
         data.landmarks.push_back(poster);
     }
-    auto camera = cameraIn(worldOf(data));
+    CameraOptions straight;
+    straight.distortionK1 = straight.distortionK2 = 0.0;
+    auto camera = cameraIn(worldOf(data), straight);
     int checked = 0;
     for (int i = 0; i < 40; ++i) {
         CameraPose pose = standing({1.5 + 0.33 * i, 0.5 + 0.03 * i}, 0.0, 40.0 + 2.5 * i);
@@ -158,6 +161,20 @@ TEST(SimulatedCamera, ProjectedCornersAgreeWithTheIdPicture) {
         }
     }
     EXPECT_GT(checked, 20);
+}
+
+TEST(SimulatedCamera, LensBendsRaysAndPointsAlike) {
+    Lens lens({640, 480}, 63.0, -0.2, 0.05);
+    for (double x : {0.5, 100.0, 320.0, 639.5}) {
+        for (double y : {0.5, 240.0, 479.5}) {
+            ImagePoint ray = lens.rayOf({x, y});
+            auto back = lens.project(ray.x * 3.0, ray.y * 3.0, 3.0);
+            ASSERT_TRUE(back.has_value());
+            EXPECT_NEAR(back->x, x, 0.02);
+            EXPECT_NEAR(back->y, y, 0.02);
+        }
+    }
+    EXPECT_FALSE(lens.project(0.1, 0.1, -1.0).has_value());
 }
 
 TEST(SimulatedCamera, SmearsWhatMoves) {

@@ -1,5 +1,7 @@
 #include "truth_check.h"
 
+#include <opencv2/imgproc.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -41,6 +43,26 @@ ImageBox boxOfPixels(const cv::Mat& ids, std::uint16_t id, const ImageBox& near)
             static_cast<double>(bottom - top)};
 }
 
+/// By how many pixels a pixel near one of the corners lies on the wrong side of the outline, at worst.
+double gapAtCorners(const cv::Mat& ids, std::uint16_t id, const Quad& quad) {
+    std::vector<cv::Point2f> outline;
+    for (ImagePoint p : quad) outline.emplace_back(static_cast<float>(p.x), static_cast<float>(p.y));
+    double worst = 0.0;
+    constexpr int kAround = 6;
+    for (ImagePoint corner : quad) {
+        auto column = static_cast<int>(corner.x), row = static_cast<int>(corner.y);
+        for (int y = std::max(0, row - kAround); y <= std::min(ids.rows - 1, row + kAround); ++y) {
+            for (int x = std::max(0, column - kAround); x <= std::min(ids.cols - 1, column + kAround); ++x) {
+                cv::Point2f middle(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F);
+                double inside = cv::pointPolygonTest(outline, middle, true);
+                bool thing = ids.at<std::uint16_t>(y, x) == id;
+                if (thing == (inside < 0.0)) worst = std::max(worst, std::abs(inside));
+            }
+        }
+    }
+    return worst;
+}
+
 } // namespace
 
 std::vector<CornerGap> cornerGaps(const simulation::RenderedFrame& frame, const cv::Mat& ids) {
@@ -57,6 +79,10 @@ std::vector<CornerGap> cornerGaps(const simulation::RenderedFrame& frame, const 
         std::uint16_t id =
             ids.at<std::uint16_t>(static_cast<int>(box.centre().y), static_cast<int>(box.centre().x));
         if (id == 0) continue;
+        if (thing.kind != Kind::Extinguisher) {
+            gaps.push_back({thing.kind, gapAtCorners(ids, id, thing.quad)});
+            continue;
+        }
         ImageBox pixels = boxOfPixels(ids, id, box);
         double gap = std::max({std::abs(pixels.x - box.x), std::abs(pixels.y - box.y),
                                std::abs(pixels.x + pixels.width - box.x - box.width),

@@ -7,8 +7,9 @@
 
 namespace farol::test {
 
-/// For each thing that is whole in view: by how many pixels the box of its projected corners misses the box
-/// of its pixels, at the worst of the four sides.
+/// For each thing that is whole in view: by how many pixels its projected corners miss those of its pixels,
+/// at worst (of a body that is not flat: the sides of the box about it). Made for a lens that keeps straight
+/// lines straight.
 struct CornerGap {
     Kind kind = Kind::Other;
     double pixels = 0.0;

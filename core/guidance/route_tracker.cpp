@@ -73,6 +73,9 @@ Result<void> TrackerOptions::check() const {
     if (!(offRouteConfidence >= 0.0 && offRouteConfidence <= 1.0)) {
         return Error{ErrorCode::InvalidArgument, "a confidence is from 0 to 1", "tracker.offRouteConfidence"};
     }
+    if (!(arrivalConfidence >= 0.0 && arrivalConfidence <= 1.0)) {
+        return Error{ErrorCode::InvalidArgument, "a confidence is from 0 to 1", "tracker.arrivalConfidence"};
+    }
     if (!(minConfidence >= 0.0 && minConfidence <= 1.0)) {
         return Error{ErrorCode::InvalidArgument, "a confidence is from 0 to 1", "tracker.minConfidence"};
     }
@@ -130,6 +133,8 @@ bool RouteTracker::believed(const Fix& fix) {
         ++m_doubtfulFixes;
         m_doubtCounted = fix.evidenceTime;
     }
+    bool arrival = m_options.arrivalConfidence > 0.0 && fix.region == m_destination->region;
+    if (arrival) return fix.confidence >= m_options.arrivalConfidence && m_doubtfulFixes > 1;
     return fix.confidence >= m_options.offRouteConfidence || m_doubtfulFixes >= m_options.offRouteFixes;
 }
 

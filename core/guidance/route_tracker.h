@@ -31,6 +31,9 @@ struct TrackerOptions {
     int offRouteFixes = 2;
     double offRouteConfidence = 0.6;
     double minConfidence = 0.0; ///< fixes below change nothing
+    /// Above 0: a fix in the destination is believed at this confidence only, and only once something was
+    /// seen after the first one. For localisers whose confidence is a probability.
+    double arrivalConfidence = 0.0;
 
     Result<void> check() const;
 };

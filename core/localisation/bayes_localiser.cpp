@@ -38,7 +38,7 @@ public:
     void moved(double time, const recognition::Motion& motion) override {
         if (m_options.useMotion) m_motion.add(time, motion);
     }
-    std::string name() const override { return "bayes"; }
+    std::string name() const override { return m_options.walking.guided ? "bayes-guided" : "bayes"; }
 
 private:
     struct Repeat {
@@ -345,6 +345,17 @@ void BayesLocaliser::addVotes(Fix& fix, const std::vector<std::uint32_t>& order)
 }
 
 } // namespace
+
+WalkingOptions WalkingOptions::obedient() {
+    // Found in the closed loop, where standing still at the goal is no sign of having reached it.
+    WalkingOptions walking;
+    walking.guided = true;
+    walking.followShare = 0.6;
+    walking.strayRate = 0.05;
+    walking.strayAtNode = 0.1;
+    walking.returnRate = 0.1;
+    return walking;
+}
 
 Result<void> WalkingOptions::check() const {
     bool speeds = slowest > 0.0 && slowest <= fastest && speedSpread >= 0.0;

@@ -18,6 +18,7 @@ struct WalkingOptions {
     double stopRate = 0.036, goRate = 0.34;
     double followShare = 0.9;   ///< of walkers that go to the destination after it was told
     double strayRate = 0.008;   ///< leaves the way
+    bool guided = false;        ///< knows the way only from what is said: stands and searches anywhere
     double strayAtNode = 0.03;  ///< takes another door than the right one
     double returnRate = 0.05;   ///< finds back to the way
     double swaySigmaDeg = 24.0; ///< of the camera about the way of walking
@@ -28,6 +29,8 @@ struct WalkingOptions {
     double headingTrust = 0.35;  ///< exponent: the sway of one second resembles that of the next
 
     Result<void> check() const;
+    /// Of one who obeys what is told, and is not on a way that he knows.
+    static WalkingOptions obedient();
 };
 
 struct BayesOptions {

@@ -6,17 +6,23 @@
 namespace farol::localisation {
 
 std::vector<std::string> localiserNames() {
-    return {"voting", "voting-literal", "bayes"};
+    return {"voting", "voting-literal", "bayes", "bayes-guided"};
 }
 
 Result<std::unique_ptr<Localiser>> makeLocaliser(const std::string& name,
                                                  std::shared_ptr<const building::Building> building) {
     if (name == "bayes") return makeBayesLocaliser(std::move(building));
+    if (name == "bayes-guided") {
+        BayesOptions options;
+        options.walking = WalkingOptions::obedient();
+        return makeBayesLocaliser(std::move(building), options);
+    }
     if (name == "voting") return makeVotingLocaliser(std::move(building));
     if (name == "voting-literal")
         return makeVotingLocaliser(std::move(building), VotingOptions::literal(), name);
-    return Error{ErrorCode::InvalidArgument,
-                 "there is no localiser of this name; there are voting, voting-literal and bayes", name};
+    return Error{
+        ErrorCode::InvalidArgument,
+        "there is no localiser of this name; there are voting, voting-literal, bayes and bayes-guided", name};
 }
 
 } // namespace farol::localisation

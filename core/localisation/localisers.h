@@ -10,7 +10,8 @@
 
 namespace farol::localisation {
 
-/// "voting", "voting-literal", "bayes". InvalidArgument names them for any other.
+/// "voting", "voting-literal", "bayes", "bayes-guided" (for those who know the way only from what is said).
+/// InvalidArgument names them for any other.
 Result<std::unique_ptr<Localiser>> makeLocaliser(const std::string& name,
                                                  std::shared_ptr<const building::Building> building);
 std::vector<std::string> localiserNames();

@@ -218,6 +218,7 @@ void WalkerCloud::changeMind(Walker& walker, double seconds) {
 void WalkerCloud::arrive(Walker& walker) {
     if (walker.node < 0) {
         if (walker.follows && walker.region == m_map->goalRegion()) {
+            if (m_options.walking.guided) return wander(walker, -1); // not told of the arrival yet
             walker.node = Walker::kResting;
             return;
         }
@@ -283,6 +284,7 @@ float WalkerCloud::standingWeight(Walker& walker, const MotionSpan& motion, bool
         return mayStand ? std::pow(kMovesOnStairs, seconds) : 1.0F;
     }
     float weight = 1.0F;
+    if (m_options.walking.guided) mayStand = true; // whoever waits for a word stands anywhere
     if (!mayStand) weight = walker.stands ? std::pow(kStaysPerS, seconds) : kOnset;
     walker.stands = true;
     return weight;

@@ -24,7 +24,11 @@ struct ClosedLoopOptions {
     /// The walk is given up after so many times the route's own time, and this much more.
     double patience = 4.0, patienceSeconds = 120.0;
 
-    ClosedLoopOptions() { navigator.localiser = "bayes"; }
+    /// The filter for those who are guided; words are sure from 0.8 on, as its confidence is a probability.
+    ClosedLoopOptions() {
+        navigator.localiser = "bayes-guided";
+        navigator.guidance.sureConfidence = 0.8;
+    }
     Result<void> check() const;
 };
 

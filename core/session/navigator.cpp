@@ -19,6 +19,15 @@ makePlanner(const std::shared_ptr<const building::Building>& building, const Nav
                  "there is no planner \"" + options.planner + "\"; choose optimal or greedy", "planner"};
 }
 
+/// The filter's confidence is a probability, and "you have arrived" is to be true.
+guidance::TrackerOptions trackerOptions(const NavigatorOptions& options) {
+    constexpr double kArrivalConfidence = 0.9;
+    guidance::TrackerOptions tracker = options.tracker;
+    bool filter = options.localiser.rfind("bayes", 0) == 0;
+    if (filter && tracker.arrivalConfidence == 0.0) tracker.arrivalConfidence = kArrivalConfidence;
+    return tracker;
+}
+
 std::vector<localisation::Observation> observationsOf(const Percept& percept) {
     std::vector<localisation::Observation> seen;
     seen.reserve(percept.detections.size());
@@ -57,7 +66,7 @@ Navigator::Navigator(std::shared_ptr<const building::Building> building,
     : m_building(building),
       m_localiser(std::move(localiser)),
       m_history(options.history),
-      m_tracker(building, std::move(planner), options.tracker),
+      m_tracker(building, std::move(planner), trackerOptions(options)),
       m_scheduler(building, options.guidance) {
     m_localiser->start(0.0, std::nullopt);
 }

@@ -296,11 +296,27 @@ TEST(RouteTracker, FixesBelowTheLeastConfidenceChangeNothing) {
     EXPECT_EQ(walk.progress.travel, Travel::OnRoute);
 }
 
+TEST(RouteTracker, AnArrivalWantsConfidenceAndSomethingSeenSince) {
+    TrackerOptions honest;
+    honest.arrivalConfidence = 0.9;
+    Guided walk(test::corridorMap(), {}, honest);
+    walk.tracker.setDestination(at("D"));
+    walk.seen("A", 0, 0.95);
+    walk.seen("K", 0, 0.95);
+    walk.seen("D", 0, 0.95);
+    EXPECT_EQ(walk.progress.travel, Travel::OnRoute) << "so far it is only expected there";
+    walk.seen("D", 0, 0.8);
+    EXPECT_EQ(walk.progress.travel, Travel::OnRoute) << "not sure enough";
+    walk.seen("D", 0, 0.95);
+    EXPECT_EQ(walk.progress.travel, Travel::Arrived);
+}
+
 TEST(TrackerOptions, ValuesOutOfRangeAreRefused) {
     EXPECT_TRUE(TrackerOptions{}.check().ok());
     EXPECT_FALSE((TrackerOptions{0, 0.6, 0.0}.check().ok()));
     EXPECT_FALSE((TrackerOptions{2, 1.6, 0.0}.check().ok()));
     EXPECT_FALSE((TrackerOptions{2, 0.6, -1.0}.check().ok()));
+    EXPECT_FALSE((TrackerOptions{2, 0.6, 0.0, 1.5}.check().ok()));
 }
 
 } // namespace

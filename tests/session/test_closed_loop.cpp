@@ -67,6 +67,19 @@ TEST_F(ClosedLoopTest, WhoHearsNothingStaysAndIsNotCountedAsArrived) {
     EXPECT_FALSE(result->reason.empty());
 }
 
+TEST_F(ClosedLoopTest, StandingStillIsNoSignOfTheArrival) {
+    options.patience = 1.0;
+    options.patienceSeconds = 120.0;
+    for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+        options.walker.seed = seed;
+        auto deaf = loop("A", "D");
+        deaf->setEar([](const guidance::Cue&) { return std::nullopt; });
+        auto result = deaf->run();
+        ASSERT_TRUE(result.ok());
+        EXPECT_FALSE(result->announcedArrival) << seed;
+    }
+}
+
 TEST_F(ClosedLoopTest, TheSameSeedIsTheSameWalk) {
     auto first = loop("B", "D")->run(), second = loop("B", "D")->run();
     ASSERT_TRUE(first.ok() && second.ok());

@@ -87,7 +87,7 @@ session::SessionOptions sessionOptions(const RunOptions& options) {
 /// The simulated walker of sim:WHERE; null for all other sources, and where `exitCode` tells of a failure.
 std::unique_ptr<simulation::WalkSource>
 openSimulation(const RunOptions& options, const std::shared_ptr<const building::Building>& building,
-               const recognition::LandmarkLibrary* library, bool inTime, int& exitCode) {
+               bool inTime, int& exitCode) {
     std::optional<building::Location> start;
     std::string where = options.source.substr(std::strlen(kSimulated));
     if (where.empty()) {
@@ -96,7 +96,7 @@ openSimulation(const RunOptions& options, const std::shared_ptr<const building::
         return nullptr;
     }
     if (!findPlace(*building, "--source", where, start, exitCode)) return nullptr;
-    auto world = simulation::buildWorld(building, {}, library);
+    auto world = simulation::buildWorld(building);
     if (!world) {
         exitCode = report(world.error());
         return nullptr;
@@ -167,7 +167,7 @@ int run(const RunOptions& options) {
     session::SessionOptions sessionSettings = sessionOptions(options);
     if (options.source.rfind(kSimulated, 0) == 0) {
         bool inTime = sessionSettings.pace == session::Pace::RealTime;
-        auto simulated = openSimulation(options, building, library.get(), inTime, exitCode);
+        auto simulated = openSimulation(options, building, inTime, exitCode);
         if (!simulated) return exitCode;
         walker = simulated.get();
         source = std::move(simulated);
@@ -226,7 +226,7 @@ void addRun(CLI::App& app, int& exitCode) {
     command->add_option("--seed", options->seed, "Of a simulated walk")->capture_default_str();
     command->add_option("--from", options->from, "Where the walk starts, if that is known (WHERE)");
     command->add_option("--to", options->to, "Destination (WHERE)");
-    command->add_option("--localiser", options->localiser, "voting, voting-literal or bayes")
+    command->add_option("--localiser", options->localiser, "voting, voting-literal, bayes or bayes-guided")
         ->capture_default_str();
     command
         ->add_option("--verbosity", options->verbosity,

@@ -17,9 +17,9 @@ namespace farol::cli {
 namespace {
 
 struct SimulateOptions {
-    std::string map, library, from, to, out, localiser = "bayes";
+    std::string map, library, from, to, out, localiser = "bayes-guided";
     std::uint64_t seed = 1;
-    bool obey = false, noVision = false, json = false, unknownStart = false;
+    bool obey = false, noVision = false, json = false, unknownStart = false, photographs = false;
     double wilfulness = 0.0, framesPerSecond = 5.0, clutter = 0.3;
     int walks = 0;
 };
@@ -62,7 +62,8 @@ public:
         if (!openLibrary(options.library, options.map, studio.m_library, exitCode)) return std::nullopt;
         simulation::SceneOptions scene;
         scene.clutter = options.clutter;
-        auto world = simulation::buildWorld(building, scene, studio.m_library.get());
+        auto world =
+            simulation::buildWorld(building, scene, options.photographs ? studio.m_library.get() : nullptr);
         if (!world) {
             exitCode = report(world.error());
             return std::nullopt;

@@ -3,6 +3,7 @@
 #include "core/base/database_source.h"
 #include "core/base/log.h"
 #include "core/session/inbox.h"
+#include "core/session/map_words.h"
 
 #include <algorithm>
 #include <cmath>
@@ -53,6 +54,7 @@ struct NavigationSession::Impl {
     bool handle(Work work, Perception& perception);
     void handle(const InboxItem& item);
     void handle(Parcel parcel, Perception& perception);
+    bool looksOnThreads() const;
     Percept look(const capture::Frame& frame, Perception& perception, HopTimes& times);
     void perform(Command command);
     void tell(const std::string& message) { perform(MessageCommand{message}); }
@@ -159,9 +161,16 @@ void NavigationSession::Impl::handle(const InboxItem& item) {
         perform(WarningCommand{guidance::CueReason::CameraBack, event.message});
 }
 
+bool NavigationSession::Impl::looksOnThreads() const {
+    if (options.looks != Looks::ByPace) return options.looks == Looks::OnThreads;
+    return source->live() || options.pace == Pace::RealTime;
+}
+
 Percept NavigationSession::Impl::look(const capture::Frame& frame, Perception& perception, HopTimes& times) {
     try {
-        return perception.look(frame, &times);
+        Percept percept = perception.look(frame, &times);
+        for (const std::string& message : perception.takeMessages()) tell(message);
+        return percept;
     } catch (const std::exception& exception) {
         tell("frame " + std::to_string(frame.index) + " could not be looked at: " + exception.what());
     }
@@ -175,6 +184,7 @@ Percept NavigationSession::Impl::look(const capture::Frame& frame, Perception& p
 
 void NavigationSession::Impl::handle(Parcel parcel, Perception& perception) {
     for (const std::string& message : parcel.messages) tell(message);
+    auto taken = std::chrono::steady_clock::now();
     auto next = std::make_shared<Snapshot>();
     Percept percept = look(parcel.frame, perception, next->times);
     if (recorder)
@@ -183,8 +193,12 @@ void NavigationSession::Impl::handle(Parcel parcel, Perception& perception) {
     auto before = std::chrono::steady_clock::now();
     next->step = navigator->advance(std::move(percept));
     next->times.navigateMs = millisecondsSince(before);
+    next->times.loopMs = millisecondsSince(taken);
     if (parcel.frame.arrivedAt != std::chrono::steady_clock::time_point{})
         next->times.ageMs = millisecondsSince(parcel.frame.arrivedAt);
+    if (auto arrived = next->times.landmarksArrivedAt;
+        arrived && *arrived != std::chrono::steady_clock::time_point{})
+        next->times.landmarkAgeMs = millisecondsSince(*arrived);
     next->frame = std::move(parcel.frame);
     publish(next);
     if (handlers.step) handlers.step(next->step, next->times);
@@ -253,7 +267,10 @@ bool NavigationSession::Impl::handle(Work work, Perception& perception) {
 
 void NavigationSession::Impl::walk() {
     std::vector<std::string> missing;
-    Perception perception(library, options.perception, missing);
+    PerceptionOptions seeing = options.perception;
+    if (seeing.textReader.words.empty()) seeing.textReader.words = wordsOf(navigator->building());
+    Perception perception(library, std::move(seeing), missing,
+                          looksOnThreads() ? lookOnAThread : lookOnTheSpot);
     for (const std::string& warning : missing) tell(warning);
     tellState();
     inbox.setReady();

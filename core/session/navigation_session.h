@@ -1,7 +1,7 @@
 #pragma once
 // A walk: a source, perception and a navigator on two threads (capture, session) with a one-slot mailbox
 // between them and the newest snapshot for the GUI. Live sources drop old frames and count them; files wait,
-// so that nothing is lost.
+// so that nothing is lost. Where frames come at a pace of their own, slow looks at them have threads too.
 
 #include "core/session/navigator.h"
 #include "core/session/perception.h"
@@ -17,12 +17,20 @@ namespace farol::session {
 
 enum class Pace { AsFastAsPossible, RealTime };
 
+/// Where slow looks (landmarks, doors, text) are taken.
+enum class Looks {
+    ByPace,    ///< on threads for live sources and real time, else on the spot
+    OnTheSpot, ///< the session's thread waits for each: the same material gives the same walk
+    OnThreads
+};
+
 struct SessionOptions {
     PerceptionOptions perception;
     NavigatorOptions navigator;
     Pace pace = Pace::AsFastAsPossible; ///< of sources that are not live; RealTime also drops frames that
                                         ///< come too late
     double speed = 1.0;                 ///< of RealTime
+    Looks looks = Looks::ByPace;
     std::optional<std::filesystem::path> recordFolder;
     std::string mapName, libraryName, sourceName; ///< for the recording's header
 

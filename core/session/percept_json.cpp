@@ -70,6 +70,23 @@ recognition::Detection detectionFrom(JsonFields& fields) {
     return detection;
 }
 
+Json trackJson(const recognition::Track& track) {
+    Json json = detectionJson(track.now);
+    json["first_t"] = exactNumber(track.firstTime);
+    json["confirmed_t"] = exactNumber(track.confirmedTime);
+    if (track.growth) json["growth"] = exactNumber(*track.growth);
+    return json;
+}
+
+recognition::Track trackFrom(JsonFields& fields) {
+    recognition::Track track;
+    track.now = detectionFrom(fields);
+    track.firstTime = fields.number("first_t");
+    track.confirmedTime = fields.number("confirmed_t");
+    track.growth = fields.optionalNumber("growth");
+    return track;
+}
+
 Json rejectionJson(const recognition::Rejection& rejection) {
     Json json;
     json["detector"] = rejection.detector;
@@ -120,6 +137,7 @@ Json perceptJson(const Percept& percept) {
     json["rejections"] = Json::array();
     for (const recognition::Rejection& rejection : percept.rejections)
         json["rejections"].push_back(rejectionJson(rejection));
+    for (const recognition::Track& track : percept.tracks) json["tracks"].push_back(trackJson(track));
     if (percept.motion.turn) json["turn_rad"] = exactNumber(percept.motion.turn->value);
     if (percept.motion.speed) json["speed"] = exactNumber(*percept.motion.speed);
     if (percept.motion.walking) json["walking"] = *percept.motion.walking;
@@ -139,6 +157,7 @@ Result<Percept> perceptFromJson(const Json& json) {
     percept.sharpness = fields.numberOr("sharpness", 0.0);
     percept.detections = listFrom<recognition::Detection>(fields, "detections", detectionFrom);
     percept.rejections = listFrom<recognition::Rejection>(fields, "rejections", rejectionFrom);
+    if (fields.has("tracks")) percept.tracks = listFrom<recognition::Track>(fields, "tracks", trackFrom);
     if (auto turn = fields.optionalNumber("turn_rad")) percept.motion.turn = Radians{*turn};
     percept.motion.speed = fields.optionalNumber("speed");
     if (fields.has("walking")) percept.motion.walking = fields.flagOr("walking", false);

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <iterator>
+#include <set>
 #include <utility>
 
 namespace farol::session {
@@ -30,25 +31,37 @@ bool isFinite(const Quad& quad) {
                        [](ImagePoint p) { return std::isfinite(p.x) && std::isfinite(p.y); });
 }
 
-/// Whatever a detector's arithmetic did, a percept holds finite numbers only: history, voting and files rely
-/// on it.
-void keepFinite(Percept& percept) {
+bool isFinite(const recognition::Detection& detection) {
+    return isFinite(detection.quad) && std::isfinite(detection.score);
+}
+
+/// Whatever a detector's arithmetic did, a percept holds finite numbers only: tracks, history, voting and
+/// files rely on it.
+void keepFinite(recognition::DetectorResult& result) {
     std::vector<recognition::Detection> kept;
-    for (recognition::Detection& detection : percept.detections) {
+    for (recognition::Detection& detection : result.detections) {
         if (detection.rangeM && !std::isfinite(*detection.rangeM)) detection.rangeM.reset();
         if (detection.bearing && !std::isfinite(detection.bearing->value)) detection.bearing.reset();
-        if (isFinite(detection.quad) && std::isfinite(detection.score)) {
+        if (isFinite(detection)) {
             kept.push_back(std::move(detection));
         } else {
-            percept.rejections.push_back(
+            result.rejections.push_back(
                 {"landmarks", detection.kind, detection.templateId, Quad{}, "not_finite", 0.0});
         }
     }
-    percept.detections = std::move(kept);
-    for (recognition::Rejection& rejection : percept.rejections) {
+    result.detections = std::move(kept);
+    for (recognition::Rejection& rejection : result.rejections) {
         if (!isFinite(rejection.quad)) rejection.quad = Quad{};
         if (!std::isfinite(rejection.value)) rejection.value = 0.0;
     }
+}
+
+void keepFinite(Percept& percept) {
+    recognition::DetectorResult told{std::move(percept.detections), std::move(percept.rejections)};
+    keepFinite(told);
+    percept.detections = std::move(told.detections);
+    percept.rejections = std::move(told.rejections);
+    std::erase_if(percept.tracks, [](const recognition::Track& track) { return !isFinite(track.now); });
     if (percept.motion.turn && !std::isfinite(percept.motion.turn->value)) percept.motion.turn.reset();
     if (percept.motion.speed && !std::isfinite(*percept.motion.speed)) percept.motion.speed.reset();
     if (percept.motion.stepsPerSecond && !std::isfinite(*percept.motion.stepsPerSecond))
@@ -56,13 +69,45 @@ void keepFinite(Percept& percept) {
     if (!std::isfinite(percept.sharpness)) percept.sharpness = 0.0;
 }
 
-void append(Percept& percept, recognition::DetectorResult result) {
-    std::move(result.detections.begin(), result.detections.end(), std::back_inserter(percept.detections));
-    std::move(result.rejections.begin(), result.rejections.end(), std::back_inserter(percept.rejections));
-}
-
 bool hasViews(const recognition::LandmarkLibrary* library) {
     return library != nullptr && library->viewCount() > 0;
+}
+
+/// Nothing was looked for: what was not found may be there.
+bool wasBlurred(const recognition::DetectorResult& result) {
+    return result.detections.empty() &&
+           std::any_of(result.rejections.begin(), result.rejections.end(), [](const auto& rejection) {
+               return rejection.detector == "landmarks" && rejection.reason == "blurred";
+           });
+}
+
+/// Tesseract was asked about this line, and the answer was worth nothing.
+bool wasReadInVain(const recognition::Rejection& rejection) {
+    static const std::set<std::string> kCheap{"low_contrast", "too_small", "blurred", "not_agreed_yet"};
+    return rejection.detector == "text" && kCheap.count(rejection.reason) == 0;
+}
+
+/// The finer letters of a map's word are told apart in frames that are sharper than the reader demands.
+constexpr double kSharpTimes = 2.0;
+constexpr double kReadAgainSeconds = 3.0;    ///< a plate that is settled is looked at again after this
+constexpr double kTryAgainSeconds = 2.0;     ///< a line that could not be read
+constexpr double kPlateMemorySeconds = 30.0; ///< what was read of a plate
+constexpr double kTimeSlack = 0.002;         ///< frame times are not exact multiples of their period
+
+/// A look that fails tells why and finds nothing.
+template <class Find>
+Look guarded(const capture::Frame& frame, double sharpness, Find find) {
+    Sight blank{frame.index, frame.capturedAt, sharpness, frame.arrivedAt, {}, {}, {}};
+    return [image = frame.image, blank = std::move(blank), find = std::move(find)] {
+        Sight sight = blank;
+        try {
+            find(image, sight);
+        } catch (const std::exception& exception) {
+            sight.trouble = exception.what();
+        }
+        keepFinite(sight.result);
+        return sight;
+    };
 }
 
 } // namespace
@@ -70,77 +115,232 @@ bool hasViews(const recognition::LandmarkLibrary* library) {
 Result<void> PerceptionOptions::check() const {
     for (const Result<void>& checked :
          {recogniser.check(), doorDetector.check(), stairsDetector.check(), rectangleDetector.check(),
-          textReader.check(), visualMotion.check(), scene.check()})
+          textReader.check(), visualMotion.check(), tracker.check(), scene.check()})
         if (!checked) return checked;
-    if (!std::isfinite(secondsBetweenReadings) || secondsBetweenReadings < 0.0)
-        return Error{ErrorCode::InvalidArgument,
-                     "the time between two readings is not a number of seconds from 0 on",
-                     "secondsBetweenReadings"};
+    for (auto [seconds, name] : {std::pair{secondsBetweenLooks, "secondsBetweenLooks"},
+                                 {secondsBetweenDoors, "secondsBetweenDoors"},
+                                 {secondsBetweenReadings, "secondsBetweenReadings"}})
+        if (!std::isfinite(seconds) || seconds < 0.0)
+            return Error{ErrorCode::InvalidArgument,
+                         "the time between two looks is not a number of seconds from 0 on", name};
+    if (linesPerReading < 1 || linesPerReading > 1000)
+        return Error{ErrorCode::InvalidArgument, "between 1 and 1000 lines are read at once",
+                     "linesPerReading"};
+    if (confirmations < 1 || confirmations > 100)
+        return Error{ErrorCode::InvalidArgument, "between 1 and 100 looks have to see a thing",
+                     "confirmations"};
     return {};
 }
 
 Perception::Perception(std::shared_ptr<const recognition::LandmarkLibrary> library, PerceptionOptions options,
-                       std::vector<std::string>& warnings)
-    : m_options(std::move(options)), m_motion(m_options.visualMotion), m_scene(m_options.scene) {
+                       std::vector<std::string>& warnings, const LookoutMaker& makeLookout)
+    : m_options(std::move(options)),
+      m_motion(m_options.visualMotion),
+      m_scene(m_options.scene),
+      m_tracker(m_options.tracker),
+      m_plates(m_options.textReader.words) {
     if (m_options.landmarks && hasViews(library.get())) {
         m_recogniser.emplace(std::move(library), m_options.recogniser);
     } else if (m_options.landmarks) {
         warnings.emplace_back("no trained landmarks: only doors and texts are recognised; open a library "
                               "of landmarks to recognise more");
     }
-    if (!m_options.text) return;
-    auto reader = recognition::TextReader::create(m_options.textReader);
-    if (reader) {
-        m_reader.emplace(std::move(reader).value());
-    } else {
-        warnings.push_back("signs are not read: " + reader.error().text());
+    if (m_options.text) {
+        auto reader = recognition::TextReader::create(m_options.textReader);
+        if (reader) {
+            m_reader.emplace(std::move(reader).value());
+        } else {
+            warnings.push_back("signs are not read: " + reader.error().text());
+        }
     }
+    using recognition::Sense;
+    bool structures = m_options.doors || m_options.stairs || m_options.rectangles;
+    m_posts = {Post{Sense::Landmarks, m_options.secondsBetweenLooks, m_recogniser.has_value(), nullptr, {}},
+               Post{Sense::Structures, m_options.secondsBetweenDoors, structures, nullptr, {}},
+               Post{Sense::Text, m_options.secondsBetweenReadings, m_reader.has_value(), nullptr, {}}};
+    for (Post& post : m_posts)
+        if (post.wanted) post.lookout = makeLookout();
+}
+
+void Perception::lookQuickly(const capture::Frame& frame, Percept& percept, HopTimes& times) {
+    StopWatch watch;
+    int before = m_sceneNow;
+    percept.scene = m_sceneNow = m_scene.observe(frame.image);
+    percept.sharpness = recognition::sharpness(frame.image);
+    watch.lap(times.sceneMs);
+    if (m_options.motion) percept.motion = m_motion.observe(frame.image, frame.capturedAt);
+    watch.lap(times.motionMs);
+    // A slow pan comes to another scene too, with everything in view; at a cut the frame before is no guide.
+    bool cut =
+        percept.scene != before && m_scene.correlationToPrevious() < m_options.scene.minCorrelationToPrevious;
+    std::uint64_t oldest = frame.index;
+    for (const Post& post : m_posts) oldest = std::min(oldest, post.underWay.value_or(oldest));
+    m_tracker.advance(frame.image, frame.index, frame.capturedAt, percept.scene, cut, oldest);
+    watch.lap(times.tracksMs);
+}
+
+bool Perception::due(const Post& post, const Percept& percept) const {
+    if (!post.wanted || !post.lookout->free()) return false;
+    // Nothing is lost with a smeared frame: the next one may be sharp.
+    if (post.sense == recognition::Sense::Text && percept.sharpness < m_options.textReader.minSharpness)
+        return false;
+    if (!post.lastBegun || percept.time < *post.lastBegun) return true;
+    return percept.time - *post.lastBegun >= post.secondsBetween - kTimeSlack;
+}
+
+recognition::DetectorResult Perception::findStructures(const cv::Mat& image) const {
+    recognition::DetectorResult result;
+    if (m_options.doors) result.append(recognition::detectDoors(image, m_options.doorDetector));
+    if (m_options.stairs) result.append(recognition::detectStairs(image, m_options.stairsDetector));
+    if (m_options.rectangles)
+        result.append(recognition::detectRectangles(image, m_options.rectangleDetector));
+    return result;
+}
+
+/// Plates that are settled and lines that could not be read a moment ago are left out.
+recognition::TextPlaces Perception::placesToRead(double time) {
+    recognition::TextPlaces places;
+    places.maxLines = m_options.linesPerReading;
+    for (const recognition::Track& track : m_tracker.tracks()) {
+        bool settled = track.now.kind == Kind::Text && m_plates.agreed(track.now.track) != nullptr;
+        if (settled && time - track.confirmedTime < kReadAgainSeconds) places.known.push_back(track.now.quad);
+    }
+    std::erase_if(m_unread, [time](const Unread& one) { return one.until <= time; });
+    for (const Unread& one : m_unread) places.known.push_back(one.quad);
+    return places;
+}
+
+Look Perception::lookFor(const Post& post, const capture::Frame& frame, double sharpness) {
+    switch (post.sense) {
+    case recognition::Sense::Landmarks:
+        return guarded(frame, sharpness, [this](const cv::Mat& image, Sight& sight) {
+            StopWatch watch;
+            sight.result = m_recogniser->recognise(image);
+            watch.lap(sight.times.landmarksMs);
+        });
+    case recognition::Sense::Structures:
+        return guarded(frame, sharpness, [this](const cv::Mat& image, Sight& sight) {
+            StopWatch watch;
+            sight.result = findStructures(image);
+            watch.lap(sight.times.doorsMs);
+        });
+    case recognition::Sense::Text:
+        break;
+    }
+    return guarded(frame, sharpness,
+                   [this, places = placesToRead(frame.capturedAt)](const cv::Mat& image, Sight& sight) {
+                       StopWatch watch;
+                       recognition::TextPlaces here = places;
+                       auto boards = recognition::detectRectangles(image, m_options.rectangleDetector);
+                       here.plates.emplace();
+                       for (const auto& board : boards.detections) here.plates->push_back(board.quad);
+                       watch.lap(sight.times.rectanglesMs);
+                       sight.result = m_reader->readAt(image, here);
+                       watch.lap(sight.times.textMs);
+                   });
+}
+
+void Perception::fetch(Post& post, Percept& percept, HopTimes& times) {
+    if (!post.lookout) return;
+    std::optional<Sight> sight = post.lookout->finished();
+    if (!sight) return;
+    post.underWay.reset();
+    times.landmarksMs += sight->times.landmarksMs;
+    times.doorsMs += sight->times.doorsMs;
+    times.rectanglesMs += sight->times.rectanglesMs;
+    times.textMs += sight->times.textMs;
+    if (!sight->trouble.empty()) {
+        m_messages.push_back("frame " + std::to_string(sight->frame) +
+                             " could not be looked at: " + sight->trouble);
+        return;
+    }
+    if (post.sense == recognition::Sense::Landmarks) times.landmarksArrivedAt = sight->arrivedAt;
+    StopWatch watch;
+    tell(post, std::move(*sight), percept);
+    watch.lap(times.tracksMs);
+}
+
+/// False: the readings of this plate do not agree yet.
+bool Perception::tellText(const Sight& sight, recognition::Detection& read, Percept& percept) {
+    if (read.track != 0) {
+        bool sharp = sight.sharpness >= kSharpTimes * m_options.textReader.minSharpness;
+        m_plates.add(read.track, read.text, sharp, sight.time);
+        if (const std::string* agreed = m_plates.agreed(read.track)) {
+            read.text = *agreed;
+            return true;
+        }
+    }
+    percept.rejections.push_back({"text", Kind::Text, {}, read.quad, "not_agreed_yet", read.score});
+    return false;
+}
+
+void Perception::tell(const Post& post, Sight sight, Percept& percept) {
+    bool isText = post.sense == recognition::Sense::Text;
+    bool complete = !isText && !wasBlurred(sight.result);
+    bool dense = !m_tracker.sparse(sight.frame);
+    for (const recognition::Rejection& rejection : sight.result.rejections)
+        if (isText && wasReadInVain(rejection))
+            m_unread.push_back({rejection.quad, sight.time + kTryAgainSeconds});
+    std::move(sight.result.rejections.begin(), sight.result.rejections.end(),
+              std::back_inserter(percept.rejections));
+    auto joined = m_tracker.join(post.sense, sight.frame, std::move(sight.result.detections), complete);
+    for (recognition::Detection& detection : joined) {
+        if (isText) {
+            if (tellText(sight, detection, percept)) percept.detections.push_back(std::move(detection));
+        } else if (dense && detection.confirmations < m_options.confirmations) {
+            percept.rejections.push_back({"tracks", detection.kind, detection.templateId, detection.quad,
+                                          "seen_once", static_cast<double>(detection.confirmations)});
+        } else {
+            percept.detections.push_back(std::move(detection));
+        }
+    }
+}
+
+void Perception::tellTracks(Percept& percept) {
+    for (recognition::Track& track : m_tracker.tracks()) {
+        if (track.now.kind == Kind::Text) {
+            const std::string* agreed = m_plates.agreed(track.now.track);
+            if (agreed == nullptr) continue;
+            track.now.text = *agreed;
+        }
+        percept.tracks.push_back(std::move(track));
+    }
+    for (recognition::Rejection& ended : m_tracker.takeEnded())
+        percept.rejections.push_back(std::move(ended));
+    m_plates.forgetBefore(percept.time - kPlateMemorySeconds);
 }
 
 Percept Perception::look(const capture::Frame& frame, HopTimes* times) {
     HopTimes unused;
     HopTimes& spent = times != nullptr ? *times : unused;
-    StopWatch watch;
     Percept percept;
     percept.frame = frame.index;
     percept.time = frame.capturedAt;
     percept.name = frame.name;
     percept.size = frame.size();
     if (frame.image.empty()) return percept;
-    percept.scene = m_scene.observe(frame.image);
-    percept.sharpness = recognition::sharpness(frame.image);
-    watch.lap(spent.sceneMs);
-    if (m_options.motion) percept.motion = m_motion.observe(frame.image, frame.capturedAt);
-    watch.lap(spent.motionMs);
-    if (m_recogniser) append(percept, m_recogniser->recognise(frame.image));
-    watch.lap(spent.landmarksMs);
-    if (m_options.doors) append(percept, recognition::detectDoors(frame.image, m_options.doorDetector));
-    if (m_options.stairs) append(percept, recognition::detectStairs(frame.image, m_options.stairsDetector));
-    watch.lap(spent.doorsMs);
-    bool backwards = m_lastReading && frame.capturedAt < *m_lastReading;
-    bool due =
-        !m_lastReading || backwards || frame.capturedAt - *m_lastReading >= m_options.secondsBetweenReadings;
-    bool read = m_reader && due && percept.sharpness >= m_options.textReader.minSharpness;
-    recognition::DetectorResult boards;
-    if (read || m_options.rectangles)
-        boards = recognition::detectRectangles(frame.image, m_options.rectangleDetector);
-    watch.lap(spent.rectanglesMs);
-    if (read) {
-        m_lastReading = frame.capturedAt;
-        readText(frame, boards, percept, spent);
+    lookQuickly(frame, percept, spent);
+    // What is ready first, so that who has just finished may take this frame; then what was done on the spot.
+    for (Post& post : m_posts) fetch(post, percept, spent);
+    for (Post& post : m_posts) {
+        if (!due(post, percept)) continue;
+        post.lastBegun = frame.capturedAt;
+        post.underWay = frame.index;
+        post.lookout->begin(lookFor(post, frame, percept.sharpness));
     }
-    if (m_options.rectangles) append(percept, std::move(boards));
+    // Where the next frame comes late anyhow, an answer that waited for it would be old.
+    bool sparse = m_tracker.sparse(frame.index) && m_framesSeen++ > 0;
+    for (Post& post : m_posts) {
+        if (sparse && post.lookout) post.lookout->wait();
+        fetch(post, percept, spent);
+    }
+    tellTracks(percept);
     keepFinite(percept);
     return percept;
 }
 
-void Perception::readText(const capture::Frame& frame, const recognition::DetectorResult& boards,
-                          Percept& percept, HopTimes& times) {
-    StopWatch watch;
-    std::vector<Quad> plates;
-    for (const recognition::Detection& board : boards.detections) plates.push_back(board.quad);
-    append(percept, m_reader->read(frame.image, plates));
-    watch.lap(times.textMs);
+std::vector<std::string> Perception::takeMessages() {
+    return std::exchange(m_messages, {});
 }
 
 } // namespace farol::session

@@ -1,15 +1,22 @@
 #pragma once
-// Hop 2 and the scene part of hop 3: one frame in, one Percept out. Single-threaded and deterministic.
+// Hop 2 and the scene part of hop 3: one frame in, one Percept out. Cheap steps (scene, motion, tracks) are
+// made for each frame; slow looks (landmarks; doors and stairs; text) now and then, each at its own lookout.
+// What a look found is carried to the present by the tracks, so that tracks are the same whether a look is
+// taken on the spot or on a thread. Deterministic when looks are taken on the spot.
 
 #include "core/localisation/scene_context.h"
 #include "core/recognition/door_detector.h"
 #include "core/recognition/landmark_recogniser.h"
+#include "core/recognition/landmark_tracker.h"
 #include "core/recognition/rectangle_detector.h"
 #include "core/recognition/stairs_detector.h"
 #include "core/recognition/text_reader.h"
 #include "core/recognition/visual_motion.h"
+#include "core/session/lookout.h"
 #include "core/session/percept.h"
+#include "core/session/plate_readings.h"
 
+#include <array>
 #include <memory>
 #include <optional>
 
@@ -26,9 +33,14 @@ struct PerceptionOptions {
     recognition::RectangleDetectorOptions rectangleDetector;
     recognition::TextReaderOptions textReader;
     recognition::VisualMotionOptions visualMotion;
+    recognition::TrackerOptions tracker;
     localisation::SceneOptions scene;
-    /// Reading is the slowest hop: at most one read in this time of the frames' own clock.
-    double secondsBetweenReadings = 0.3;
+    /// At most one look in this time of the frames' own clock.
+    double secondsBetweenLooks = 0.1, secondsBetweenDoors = 0.2, secondsBetweenReadings = 0.3;
+    int linesPerReading = 3; ///< reading is the slowest look
+    /// Looks that have to see a thing before it is told, where frames come densely: a false hit is rarely
+    /// repeated.
+    int confirmations = 2;
 
     Result<void> check() const;
 };
@@ -38,19 +50,48 @@ public:
     /// `library` may be null: no trained landmarks. `warnings` tells what had to be left out (no landmarks,
     /// no tessdata).
     Perception(std::shared_ptr<const recognition::LandmarkLibrary> library, PerceptionOptions options,
-               std::vector<std::string>& warnings);
+               std::vector<std::string>& warnings, const LookoutMaker& makeLookout = lookOnTheSpot);
     Percept look(const capture::Frame& frame, HopTimes* times = nullptr);
+    /// What went wrong in looks since the last call.
+    std::vector<std::string> takeMessages();
 
 private:
-    void readText(const capture::Frame& frame, const recognition::DetectorResult& boards, Percept& percept,
-                  HopTimes& times);
+    struct Post {
+        recognition::Sense sense = recognition::Sense::Landmarks;
+        double secondsBetween = 0.0;
+        bool wanted = false;
+        std::unique_ptr<Lookout> lookout;
+        std::optional<double> lastBegun;         ///< frame time
+        std::optional<std::uint64_t> underWay{}; ///< frame
+    };
+    /// A line that could not be read: not tried again at once.
+    struct Unread {
+        Quad quad{};
+        double until = 0.0;
+    };
+
+    void lookQuickly(const capture::Frame& frame, Percept& percept, HopTimes& times);
+    bool due(const Post& post, const Percept& percept) const;
+    Look lookFor(const Post& post, const capture::Frame& frame, double sharpness);
+    recognition::DetectorResult findStructures(const cv::Mat& image) const;
+    recognition::TextPlaces placesToRead(double time);
+    void fetch(Post& post, Percept& percept, HopTimes& times);
+    void tell(const Post& post, Sight sight, Percept& percept);
+    bool tellText(const Sight& sight, recognition::Detection& read, Percept& percept);
+    void tellTracks(Percept& percept);
 
     PerceptionOptions m_options;
     std::optional<recognition::LandmarkRecogniser> m_recogniser;
     std::optional<recognition::TextReader> m_reader;
     recognition::VisualMotion m_motion;
     localisation::SceneContext m_scene;
-    std::optional<double> m_lastReading; ///< frame time
+    recognition::LandmarkTracker m_tracker;
+    PlateReadings m_plates;
+    std::vector<Unread> m_unread;
+    std::vector<std::string> m_messages;
+    int m_sceneNow = 0;
+    std::uint64_t m_framesSeen = 0;
+    std::array<Post, 3> m_posts; ///< last: their threads use all of the above
 };
 
 } // namespace farol::session

@@ -1,6 +1,7 @@
 #include "tests/bench/walk_bench.h"
 
 #include "core/building/geopackage.h"
+#include "core/session/map_words.h"
 #include "core/session/navigation_session.h"
 
 #include <algorithm>
@@ -9,6 +10,7 @@
 #include <cstdio>
 #include <ctime>
 #include <functional>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -113,7 +115,9 @@ void printHops(const std::vector<Hop>& hops) {
 /// Hop after hop on one thread; nothing waits, nothing is dropped.
 int benchHops(const WalkBenchOptions& options, const Material& material) {
     std::vector<std::string> warnings;
-    session::Perception perception(material.library, {}, warnings);
+    session::PerceptionOptions seeing;
+    seeing.textReader.words = session::wordsOf(*material.building);
+    session::Perception perception(material.library, seeing, warnings);
     for (const std::string& warning : warnings)
         std::fprintf(stderr, "farol-bench: warning: %s\n", warning.c_str());
     auto navigator = session::Navigator::create(material.building);
@@ -126,8 +130,9 @@ int benchHops(const WalkBenchOptions& options, const Material& material) {
     std::vector<Hop> hops{{"1 read the picture", {}},
                           {"3 scene and sharpness", {}},
                           {"2 turn and pace", {}},
-                          {"2 trained landmarks", {}},
-                          {"2 doors", {}},
+                          {"2 following", {}},
+                          {"2 trained landmarks, in frames that are looked at", {}},
+                          {"2 doors and stairs, in frames that are looked at", {}},
                           {"2 boards, in frames that are read", {}},
                           {"2 text, in frames that are read", {}},
                           {"3 to 6 history, vote, route, cues", {}},
@@ -146,14 +151,15 @@ int benchHops(const WalkBenchOptions& options, const Material& material) {
         hops[0].ms.push_back(readMs);
         hops[1].ms.push_back(times.sceneMs);
         hops[2].ms.push_back(times.motionMs);
-        hops[3].ms.push_back(times.landmarksMs);
-        hops[4].ms.push_back(times.doorsMs);
+        hops[3].ms.push_back(times.tracksMs);
+        if (times.landmarksMs > 0.0) hops[4].ms.push_back(times.landmarksMs);
+        if (times.doorsMs > 0.0) hops[5].ms.push_back(times.doorsMs);
         if (times.textMs > 0.0) {
-            hops[5].ms.push_back(times.rectanglesMs);
-            hops[6].ms.push_back(times.textMs);
+            hops[6].ms.push_back(times.rectanglesMs);
+            hops[7].ms.push_back(times.textMs);
         }
-        hops[7].ms.push_back(times.navigateMs);
-        hops[8].ms.push_back(millisecondsSince(start));
+        hops[8].ms.push_back(times.navigateMs);
+        hops[9].ms.push_back(millisecondsSince(start));
     }
     std::printf("Milliseconds a frame, one thread, %zu pictures of `%s`, %d time(s):\n\n", hops[0].ms.size(),
                 options.frames.c_str(), material.laps);
@@ -165,41 +171,101 @@ int benchHops(const WalkBenchOptions& options, const Material& material) {
     return hops[0].ms.empty() ? 1 : 0;
 }
 
-/// As in use: two threads, frames at their own pace, what nobody could take is dropped.
+/// The wall time of one call.
+struct Timed {
+    std::vector<double> ms;
+    void print(const char* name) const {
+        std::printf("| %s | %.2f | %.2f | %.2f | %.2f |\n", name, percentile(ms, 0.5), percentile(ms, 0.95),
+                    percentile(ms, 0.99), percentile(ms, 1.0));
+    }
+};
+
+/// Measures how long reading a frame takes.
+class TimedSource final : public capture::FrameSource {
+public:
+    TimedSource(std::unique_ptr<capture::FrameSource> inner, Timed& reading)
+        : m_inner(std::move(inner)), m_reading(reading) {}
+
+    std::optional<capture::Frame> next() override {
+        if (stopRequested()) return std::nullopt;
+        auto start = std::chrono::steady_clock::now();
+        auto frame = m_inner->next();
+        if (frame) m_reading.ms.push_back(millisecondsSince(start));
+        return frame;
+    }
+    bool live() const override { return m_inner->live(); }
+    std::string description() const override { return m_inner->description(); }
+
+private:
+    std::unique_ptr<capture::FrameSource> m_inner;
+    Timed& m_reading;
+};
+
+struct Pace {
+    Timed reading, loop, ages, landmarkAges;
+    std::vector<double> trackCounts;
+    std::uint64_t dropped = 0;
+    double wallMs = 0.0, processorMs = 0.0;
+};
+
+void printPace(const WalkBenchOptions& options, const Pace& pace) {
+    auto walked = static_cast<double>(pace.ages.ms.size());
+    double all = walked + static_cast<double>(pace.dropped);
+    auto third = static_cast<std::ptrdiff_t>(pace.ages.ms.size() / 3);
+    std::vector<double> early(pace.ages.ms.begin(), pace.ages.ms.begin() + third);
+    std::vector<double> late(pace.ages.ms.end() - third, pace.ages.ms.end());
+    auto old =
+        std::count_if(pace.ages.ms.begin(), pace.ages.ms.end(), [](double age) { return age > kTooOldMs; });
+    std::printf(
+        "\nThe whole session at %.0f frames a second, slow looks on threads: %.0f frames, %llu dropped "
+        "(%.1f %%), %lld older than %.0f ms.\nMedian age in the first third %.1f ms, in the last "
+        "third %.1f ms; %.2f cores in use; %.1f things followed on average; %zu looks for "
+        "landmarks.\n\n",
+        options.framesPerSecond, all, static_cast<unsigned long long>(pace.dropped),
+        all > 0.0 ? 100.0 * static_cast<double>(pace.dropped) / all : 0.0, static_cast<long long>(old),
+        kTooOldMs, percentile(early, 0.5), percentile(late, 0.5),
+        pace.wallMs > 0.0 ? pace.processorMs / pace.wallMs : 0.0,
+        std::accumulate(pace.trackCounts.begin(), pace.trackCounts.end(), 0.0) / std::max(1.0, walked),
+        pace.landmarkAges.ms.size());
+    std::printf("| ms | median | 95th percentile | 99th | most |\n|---|---:|---:|---:|---:|\n");
+    pace.reading.print("reading a frame");
+    pace.loop.print("loop that carries a frame through the chain");
+    pace.ages.print("age of a frame at the end of the chain");
+    pace.landmarkAges.print("age of what was looked for landmarks");
+}
+
+/// As in use: frames at their own pace, slow looks on threads, what nobody could take is dropped.
 int benchPace(const WalkBenchOptions& options, const Material& material) {
-    std::vector<double> ages;
+    Pace pace;
     session::SessionHandlers handlers;
-    handlers.step = [&](const session::NavigationStep&, const session::HopTimes& times) {
-        ages.push_back(times.ageMs);
+    handlers.step = [&](const session::NavigationStep& step, const session::HopTimes& times) {
+        pace.ages.ms.push_back(times.ageMs);
+        pace.loop.ms.push_back(times.loopMs);
+        pace.trackCounts.push_back(static_cast<double>(step.percept.tracks.size()));
+        if (times.landmarkAgeMs) pace.landmarkAges.ms.push_back(*times.landmarkAgeMs);
     };
     session::SessionOptions sessionOptions;
     sessionOptions.pace = session::Pace::RealTime;
+    if (!options.localiser.empty()) sessionOptions.navigator.localiser = options.localiser;
+    if (!options.record.empty()) sessionOptions.recordFolder = options.record;
+    auto looped = std::make_unique<LoopedSource>(options.frames, material.source, material.laps);
     auto session = session::NavigationSession::create(
-        material.building, material.library,
-        std::make_unique<LoopedSource>(options.frames, material.source, material.laps), sessionOptions,
-        std::move(handlers));
+        material.building, material.library, std::make_unique<TimedSource>(std::move(looped), pace.reading),
+        sessionOptions, std::move(handlers));
     if (!session) {
         std::fprintf(stderr, "farol-bench: %s\n", session.error().text().c_str());
         return 1;
     }
+    auto start = std::chrono::steady_clock::now();
+    std::clock_t processorStart = std::clock();
     (*session)->start();
     (*session)->wait();
+    pace.wallMs = millisecondsSince(start);
+    pace.processorMs = 1000.0 * static_cast<double>(std::clock() - processorStart) / CLOCKS_PER_SEC;
     (*session)->stop();
     auto last = (*session)->snapshot();
-    std::uint64_t dropped = last ? last->framesDropped : 0;
-    auto old = std::count_if(ages.begin(), ages.end(), [](double age) { return age > kTooOldMs; });
-    double walked = static_cast<double>(ages.size());
-    double all = walked + static_cast<double>(dropped);
-    std::printf(
-        "\nAge of a frame at the end of the chain, source at %.0f frames a second, oldest dropped:\n\n",
-        options.framesPerSecond);
-    std::printf("| frames | walked | dropped | median age ms | 95th percentile ms | older than 200 ms |\n");
-    std::printf("|---:|---:|---:|---:|---:|---:|\n");
-    std::printf("| %.0f | %.0f | %llu (%.1f %%) | %.1f | %.1f | %lld (%.1f %%) |\n", all, walked,
-                static_cast<unsigned long long>(dropped),
-                all > 0.0 ? 100.0 * static_cast<double>(dropped) / all : 0.0, percentile(ages, 0.5),
-                percentile(ages, 0.95), static_cast<long long>(old),
-                walked > 0.0 ? 100.0 * static_cast<double>(old) / walked : 0.0);
+    pace.dropped = last ? last->framesDropped : 0;
+    printPace(options, pace);
     return 0;
 }
 

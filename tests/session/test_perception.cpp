@@ -62,6 +62,15 @@ TEST(Perception, AnEmptyLibraryIsNoLibrary) {
     EXPECT_TRUE(perception.look(frameOf(test::drawnFrame(0), 0, 0.0)).detections.empty());
 }
 
+/// Was the text reader asked?
+bool reads(Perception& perception, const cv::Mat& image, std::uint64_t index, double time,
+           Percept* percept = nullptr) {
+    HopTimes times;
+    Percept seen = perception.look(frameOf(image, index, time), &times);
+    if (percept != nullptr) *percept = std::move(seen);
+    return times.textMs > 0.0;
+}
+
 TEST(Perception, ReadsAtMostSoOftenByTheFramesOwnClock) {
     std::vector<std::string> warnings;
     PerceptionOptions options;
@@ -70,8 +79,61 @@ TEST(Perception, ReadsAtMostSoOftenByTheFramesOwnClock) {
     ASSERT_TRUE(warnings.empty()) << warnings.front();
     std::vector<bool> read;
     for (double time : {0.0, 0.1, 0.2, 0.31, 0.4, 0.62, 0.1}) // the last: a clock that was set back
-        read.push_back(readsSomething(perception.look(frameOf(plate(), read.size(), time))));
+        read.push_back(reads(perception, plate(), read.size(), time));
     EXPECT_THAT(read, testing::ElementsAre(true, false, false, true, false, true, true));
+}
+
+/// Frames in which the plate's words are told, ten frames a second.
+std::vector<int> framesTold(const std::vector<std::string>& words, int frames) {
+    std::vector<std::string> warnings;
+    PerceptionOptions options;
+    options.landmarks = options.doors = false;
+    options.textReader.words = words;
+    Perception perception(nullptr, options, warnings);
+    std::vector<int> told;
+    for (int i = 0; i < frames; ++i) {
+        Percept percept;
+        reads(perception, plate(), static_cast<std::uint64_t>(i), 0.1 * i, &percept);
+        bool settled = !percept.tracks.empty() && percept.tracks[0].now.text == "2.14";
+        EXPECT_EQ(settled, !told.empty() || readsSomething(percept)) << "frame " << i;
+        if (!readsSomething(percept)) continue;
+        told.push_back(i);
+        EXPECT_EQ(percept.detections.front().text, "2.14");
+        EXPECT_NE(percept.detections.front().track, 0U);
+    }
+    return told;
+}
+
+TEST(Perception, APlateIsToldWhenThreeReadingsAgreeAndThenNotReadAgainAtOnce) {
+    std::vector<int> told = framesTold({}, 45);
+    ASSERT_EQ(told.size(), 2U);
+    EXPECT_EQ(told[0], 6) << "read at 0, 0.3 and 0.6 seconds";
+    EXPECT_GE(told[1], 36) << "checked again after three seconds";
+}
+
+TEST(Perception, AWordOfTheMapIsToldWhenTwoSharpReadingsAgree) {
+    EXPECT_THAT(framesTold({"2.14"}, 20), testing::ElementsAre(3));
+}
+
+TEST(PlateReadings, WhatMostReadingsDoNotShareIsNotTold) {
+    PlateReadings plates({"2.14"});
+    for (const char* reading : {"2.14", "2.11", "2.14", "2.11", "2.17", "2.14"}) {
+        plates.add(1, reading, false, 0.0);
+        EXPECT_EQ(plates.agreed(1), nullptr);
+    }
+    plates.add(1, "2.14", false, 0.0); // four of seven
+    EXPECT_NE(plates.agreed(1), nullptr);
+    for (int i = 0; i < 3; ++i) plates.add(1, "2.11", false, 0.0);
+    EXPECT_EQ(plates.agreed(1), nullptr) << "later readings may take it back";
+    plates.add(2, "2.14", true, 1.0);
+    EXPECT_EQ(plates.agreed(2), nullptr);
+    plates.add(2, "2.14", true, 2.0);
+    ASSERT_NE(plates.agreed(2), nullptr);
+    EXPECT_EQ(*plates.agreed(2), "2.14");
+    plates.forgetBefore(1.5);
+    EXPECT_NE(plates.agreed(2), nullptr);
+    plates.forgetBefore(2.5);
+    EXPECT_EQ(plates.agreed(2), nullptr);
 }
 
 TEST(Perception, TheSamePicturesGiveTheSamePercepts) {

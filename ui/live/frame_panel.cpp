@@ -43,7 +43,7 @@ void FramePanel::show(const std::shared_ptr<const session::Snapshot>& snapshot) 
         m_view->setFindings({}, {});
     } else if (newFrame) {
         m_view->setFrame(toQImage(snapshot->frame.image));
-        m_view->setFindings(snapshot->step.percept.detections, snapshot->step.percept.rejections);
+        m_view->setFindings(session::inView(snapshot->step.percept), snapshot->step.percept.rejections);
     }
     retranslate();
 }

@@ -208,9 +208,9 @@ void LivePage::show(const std::shared_ptr<const session::Snapshot>& snapshot) {
     } else {
         const session::NavigationStep& step = snapshot->step;
         m_history.show(step.history);
-        m_detections.show(step.percept.detections, m_settings.showRejected()
-                                                       ? step.percept.rejections
-                                                       : std::vector<recognition::Rejection>{});
+        m_detections.show(session::inView(step.percept), m_settings.showRejected()
+                                                             ? step.percept.rejections
+                                                             : std::vector<recognition::Rejection>{});
         m_votes.show(step.fix.votes);
         if (step.percept.time > m_zoneUntil) m_frame->view().setSpokenZone(std::nullopt);
     }

@@ -201,8 +201,16 @@ private:
     Timed& m_reading;
 };
 
+/// Of the thread that asks, in milliseconds: what the machine does besides does not count.
+double threadProcessorMs() {
+    timespec now{};
+    ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
+}
+
 struct Pace {
-    Timed reading, loop, ages, landmarkAges;
+    Timed reading, loop, loopProcessor, ages, landmarkAges;
+    double threadMs = 0.0; ///< of the session's thread so far
     std::vector<double> trackCounts;
     std::uint64_t dropped = 0;
     double wallMs = 0.0, processorMs = 0.0;
@@ -230,6 +238,7 @@ void printPace(const WalkBenchOptions& options, const Pace& pace) {
     std::printf("| ms | median | 95th percentile | 99th | most |\n|---|---:|---:|---:|---:|\n");
     pace.reading.print("reading a frame");
     pace.loop.print("loop that carries a frame through the chain");
+    pace.loopProcessor.print("the same, processor time of its thread");
     pace.ages.print("age of a frame at the end of the chain");
     pace.landmarkAges.print("age of what was looked for landmarks");
 }
@@ -241,6 +250,9 @@ int benchPace(const WalkBenchOptions& options, const Material& material) {
     handlers.step = [&](const session::NavigationStep& step, const session::HopTimes& times) {
         pace.ages.ms.push_back(times.ageMs);
         pace.loop.ms.push_back(times.loopMs);
+        double now = threadProcessorMs();
+        if (pace.ages.ms.size() > 1) pace.loopProcessor.ms.push_back(now - pace.threadMs);
+        pace.threadMs = now;
         pace.trackCounts.push_back(static_cast<double>(step.percept.tracks.size()));
         if (times.landmarkAgeMs) pace.landmarkAges.ms.push_back(*times.landmarkAgeMs);
     };

@@ -113,9 +113,9 @@ Look guarded(const capture::Frame& frame, double sharpness, Find find) {
 } // namespace
 
 Result<void> PerceptionOptions::check() const {
-    for (const Result<void>& checked :
-         {recogniser.check(), doorDetector.check(), stairsDetector.check(), rectangleDetector.check(),
-          textReader.check(), visualMotion.check(), tracker.check(), scene.check()})
+    for (const Result<void>& checked : {recogniser.check(), doorDetector.check(), stairsDetector.check(),
+                                        signDetector.check(), rectangleDetector.check(), textReader.check(),
+                                        visualMotion.check(), tracker.check(), scene.check()})
         if (!checked) return checked;
     for (auto [seconds, name] : {std::pair{secondsBetweenLooks, "secondsBetweenLooks"},
                                  {secondsBetweenDoors, "secondsBetweenDoors"},
@@ -154,7 +154,8 @@ Perception::Perception(std::shared_ptr<const recognition::LandmarkLibrary> libra
         }
     }
     using recognition::Sense;
-    bool structures = m_options.doors || m_options.stairs || m_options.rectangles;
+    if (m_options.signs) m_signs.emplace(m_options.signDetector);
+    bool structures = m_options.doors || m_options.stairs || m_options.signs || m_options.rectangles;
     m_posts = {Post{Sense::Landmarks, m_options.secondsBetweenLooks, m_recogniser.has_value(), nullptr, {}},
                Post{Sense::Structures, m_options.secondsBetweenDoors, structures, nullptr, {}},
                Post{Sense::Text, m_options.secondsBetweenReadings, m_reader.has_value(), nullptr, {}}};
@@ -188,10 +189,11 @@ bool Perception::due(const Post& post, const Percept& percept) const {
     return percept.time - *post.lastBegun >= post.secondsBetween - kTimeSlack;
 }
 
-recognition::DetectorResult Perception::findStructures(const cv::Mat& image) const {
+recognition::DetectorResult Perception::findStructures(const cv::Mat& image) {
     recognition::DetectorResult result;
     if (m_options.doors) result.append(recognition::detectDoors(image, m_options.doorDetector));
     if (m_options.stairs) result.append(recognition::detectStairs(image, m_options.stairsDetector));
+    if (m_signs) result.append(m_signs->detect(image));
     if (m_options.rectangles)
         result.append(recognition::detectRectangles(image, m_options.rectangleDetector));
     return result;
@@ -274,6 +276,17 @@ bool Perception::tellText(const Sight& sight, recognition::Detection& read, Perc
     return false;
 }
 
+/// A door or a sign that is recognised as a trained one at the same time is one object, not two.
+bool Perception::knownByItsLook(const recognition::Detection& detection) const {
+    constexpr double kSameOverlap = 0.5;
+    if (!detection.templateId.empty()) return false;
+    for (const recognition::Track& track : m_tracker.tracks())
+        if (track.now.kind == detection.kind && !track.now.templateId.empty() &&
+            overlap(boundingBox(track.now.quad), boundingBox(detection.quad)) > kSameOverlap)
+            return true;
+    return false;
+}
+
 void Perception::tell(const Post& post, Sight sight, Percept& percept) {
     bool isText = post.sense == recognition::Sense::Text;
     bool complete = !isText && !wasBlurred(sight.result);
@@ -287,6 +300,9 @@ void Perception::tell(const Post& post, Sight sight, Percept& percept) {
     for (recognition::Detection& detection : joined) {
         if (isText) {
             if (tellText(sight, detection, percept)) percept.detections.push_back(std::move(detection));
+        } else if (knownByItsLook(detection)) {
+            percept.rejections.push_back(
+                {"tracks", detection.kind, {}, detection.quad, "known_by_its_look", detection.score});
         } else if (dense && detection.confirmations < m_options.confirmations) {
             percept.rejections.push_back({"tracks", detection.kind, detection.templateId, detection.quad,
                                           "seen_once", static_cast<double>(detection.confirmations)});

@@ -9,6 +9,7 @@
 #include "core/recognition/landmark_recogniser.h"
 #include "core/recognition/landmark_tracker.h"
 #include "core/recognition/rectangle_detector.h"
+#include "core/recognition/sign_detector.h"
 #include "core/recognition/stairs_detector.h"
 #include "core/recognition/text_reader.h"
 #include "core/recognition/visual_motion.h"
@@ -23,13 +24,14 @@
 namespace farol::session {
 
 struct PerceptionOptions {
-    bool landmarks = true, doors = true, stairs = true, text = true, motion = true;
+    bool landmarks = true, doors = true, stairs = true, signs = true, text = true, motion = true;
     /// Generic boards as detections too. Off: they only say where the text reader looks, and would fill the
     /// short history with things that nearly every wall has.
     bool rectangles = false;
     recognition::RecogniserOptions recogniser;
     recognition::DoorDetectorOptions doorDetector;
     recognition::StairsDetectorOptions stairsDetector;
+    recognition::SignDetectorOptions signDetector;
     recognition::RectangleDetectorOptions rectangleDetector;
     recognition::TextReaderOptions textReader;
     recognition::VisualMotionOptions visualMotion;
@@ -73,9 +75,10 @@ private:
     void lookQuickly(const capture::Frame& frame, Percept& percept, HopTimes& times);
     bool due(const Post& post, const Percept& percept) const;
     Look lookFor(const Post& post, const capture::Frame& frame, double sharpness);
-    recognition::DetectorResult findStructures(const cv::Mat& image) const;
+    recognition::DetectorResult findStructures(const cv::Mat& image);
     recognition::TextPlaces placesToRead(double time);
     void fetch(Post& post, Percept& percept, HopTimes& times);
+    bool knownByItsLook(const recognition::Detection& detection) const;
     void tell(const Post& post, Sight sight, Percept& percept);
     bool tellText(const Sight& sight, recognition::Detection& read, Percept& percept);
     void tellTracks(Percept& percept);
@@ -83,6 +86,7 @@ private:
     PerceptionOptions m_options;
     std::optional<recognition::LandmarkRecogniser> m_recogniser;
     std::optional<recognition::TextReader> m_reader;
+    std::optional<recognition::SignDetector> m_signs;
     recognition::VisualMotion m_motion;
     localisation::SceneContext m_scene;
     recognition::LandmarkTracker m_tracker;

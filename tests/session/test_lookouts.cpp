@@ -46,7 +46,7 @@ private:
 
 PerceptionOptions quickOptions() {
     PerceptionOptions options;
-    options.text = options.doors = options.stairs = false;
+    options.text = options.doors = options.stairs = options.signs = false;
     return options;
 }
 

@@ -24,7 +24,8 @@ building::Location room(const char* id) {
 
 SessionOptions quickOptions() {
     SessionOptions options;
-    options.perception.landmarks = options.perception.doors = options.perception.text = false;
+    options.perception.landmarks = options.perception.doors = options.perception.signs =
+        options.perception.text = false;
     options.sourceName = "scripted";
     return options;
 }

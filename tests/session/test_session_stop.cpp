@@ -15,7 +15,8 @@ using test::ScriptedSource;
 std::unique_ptr<NavigationSession> sessionOf(std::unique_ptr<ScriptedSource> source, SessionHandlers handlers,
                                              Pace pace = Pace::AsFastAsPossible) {
     SessionOptions options;
-    options.perception.landmarks = options.perception.doors = options.perception.text = false;
+    options.perception.landmarks = options.perception.doors = options.perception.signs =
+        options.perception.text = false;
     options.pace = pace;
     auto made = NavigationSession::create(test::threeRooms(), nullptr, std::move(source), options,
                                           std::move(handlers));

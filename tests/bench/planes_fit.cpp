@@ -241,12 +241,26 @@ double dot(const std::array<double, kColumns>& a, const cv::Mat& weights) {
     return sum;
 }
 
-/// Logistic regression by Newton's method. The ridge is slight and spares the bias.
+std::array<double, kColumns> variances(const std::vector<Trial>& trials) {
+    std::array<double, kColumns> result{};
+    auto count = static_cast<double>(trials.size());
+    for (std::size_t i = 0; i < kColumns; ++i) {
+        double sum = 0.0, squares = 0.0;
+        for (const Trial& trial : trials) sum += trial.terms[i];
+        for (const Trial& trial : trials) squares += std::pow(trial.terms[i] - sum / count, 2);
+        result[i] = squares / count;
+    }
+    return result;
+}
+
+/// Logistic regression by Newton's method. The ridge is slight, weighs each term by its own spread, and
+/// spares the bias.
 cv::Mat fitted(const std::vector<Trial>& trials) {
     constexpr int kRounds = 40;
     constexpr double kRidge = 1e-3;
     constexpr int kSide = static_cast<int>(kColumns);
     cv::Mat weights = cv::Mat::zeros(kSide, 1, CV_64F);
+    const auto spread = variances(trials);
     for (int round = 0; round < kRounds; ++round) {
         cv::Mat curvature = cv::Mat::zeros(kSide, kSide, CV_64F), slope = cv::Mat::zeros(kSide, 1, CV_64F);
         for (const Trial& trial : trials) {
@@ -256,7 +270,8 @@ cv::Mat fitted(const std::vector<Trial>& trials) {
             slope += ((trial.right ? 1.0 : 0.0) - p) * row;
         }
         for (int i = 0; i < kSide; ++i) {
-            double ridge = (i > 0 ? kRidge : 1e-9) * static_cast<double>(trials.size());
+            double ridge = (i > 0 ? kRidge * spread[static_cast<std::size_t>(i)] : 1e-9) *
+                           static_cast<double>(trials.size());
             curvature.at<double>(i, i) += ridge;
             slope.at<double>(i) -= ridge * weights.at<double>(i);
         }

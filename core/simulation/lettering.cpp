@@ -15,20 +15,6 @@ namespace farol::simulation {
 
 namespace {
 
-std::string fontFile(const char* name) {
-    std::unique_ptr<FcPattern, decltype(&FcPatternDestroy)> wanted(
-        FcNameParse(reinterpret_cast<const FcChar8*>(name)), &FcPatternDestroy);
-    if (!wanted) return {};
-    FcConfigSubstitute(nullptr, wanted.get(), FcMatchPattern);
-    FcDefaultSubstitute(wanted.get());
-    FcResult result = FcResultNoMatch;
-    std::unique_ptr<FcPattern, decltype(&FcPatternDestroy)> found(FcFontMatch(nullptr, wanted.get(), &result),
-                                                                  &FcPatternDestroy);
-    FcChar8* file = nullptr;
-    if (!found || FcPatternGetString(found.get(), FC_FILE, 0, &file) != FcResultMatch) return {};
-    return reinterpret_cast<const char*>(file);
-}
-
 const char* familyOf(Face face) {
     switch (face) {
     case Face::Bold:
@@ -70,6 +56,20 @@ std::vector<std::string> linesOf(const std::string& text) {
 }
 
 } // namespace
+
+std::string fontFile(const char* name) {
+    std::unique_ptr<FcPattern, decltype(&FcPatternDestroy)> wanted(
+        FcNameParse(reinterpret_cast<const FcChar8*>(name)), &FcPatternDestroy);
+    if (!wanted) return {};
+    FcConfigSubstitute(nullptr, wanted.get(), FcMatchPattern);
+    FcDefaultSubstitute(wanted.get());
+    FcResult result = FcResultNoMatch;
+    std::unique_ptr<FcPattern, decltype(&FcPatternDestroy)> found(FcFontMatch(nullptr, wanted.get(), &result),
+                                                                  &FcPatternDestroy);
+    FcChar8* file = nullptr;
+    if (!found || FcPatternGetString(found.get(), FC_FILE, 0, &file) != FcResultMatch) return {};
+    return reinterpret_cast<const char*>(file);
+}
 
 cv::Mat inkOf(const std::string& text, Face face, int pixels) {
     static std::mutex guard; // one font machine for all

@@ -8,6 +8,10 @@
 
 namespace farol::simulation {
 
+/// The file of the font that comes nearest to a fontconfig name such as "DejaVu Sans:bold"; empty where there
+/// is none.
+std::string fontFile(const char* name);
+
 enum class Face { Sans, Bold, Condensed, Serif };
 
 /// White letters on black, cut to their ink, about `pixels` tall; empty for a text without ink.

@@ -1,6 +1,7 @@
 #include "core/simulation/light_baker.h"
 
 #include "core/simulation/hash.h"
+#include "core/simulation/packet.h"
 #include "core/simulation/parallel.h"
 
 #include <algorithm>
@@ -64,28 +65,6 @@ private:
 
     const std::vector<Lamp>& m_lamps;
     std::map<Key, std::vector<std::size_t>> m_cells;
-};
-
-struct Packet {
-    alignas(64) RTCRayHit16 rays{};
-    alignas(64) std::array<int, 16> valid{};
-
-    void set(int i, Vec3 from, Vec3 direction, float far) {
-        rays.ray.org_x[i] = from.x;
-        rays.ray.org_y[i] = from.y;
-        rays.ray.org_z[i] = from.z;
-        rays.ray.dir_x[i] = direction.x;
-        rays.ray.dir_y[i] = direction.y;
-        rays.ray.dir_z[i] = direction.z;
-        rays.ray.tnear[i] = 0.0F;
-        rays.ray.tfar[i] = far;
-        rays.ray.time[i] = 0.0F;
-        rays.ray.mask[i] = 0xFFFFFFFFU;
-        rays.ray.id[i] = 0;
-        rays.ray.flags[i] = 0;
-        rays.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
-        valid[static_cast<std::size_t>(i)] = -1;
-    }
 };
 
 class Baker {
@@ -301,7 +280,7 @@ private:
     }
 
     Vec3 bouncedAt(const Sample& sample) const {
-        Packet packet;
+        RayPacket packet;
         Vec3 side =
             unit(cross(std::abs(sample.normal.z) > 0.9F ? Vec3{1.0F, 0.0F, 0.0F} : kUp, sample.normal));
         Vec3 other = cross(sample.normal, side);
@@ -313,7 +292,8 @@ private:
             auto x = static_cast<float>(radius * std::cos(angle)),
                  y = static_cast<float>(radius * std::sin(angle));
             float up = std::sqrt(std::max(0.0F, 1.0F - x * x - y * y));
-            packet.set(i, sample.point, side * x + other * y + sample.normal * (up + 1.0e-3F), 60.0F);
+            packet.set(static_cast<std::size_t>(i), sample.point,
+                       side * x + other * y + sample.normal * (up + 1.0e-3F), 0.0F, 60.0F);
         }
         RTCIntersectContext context;
         rtcInitIntersectContext(&context);

@@ -85,6 +85,12 @@ simulation::RenderedFrame look(simulation::SimulatedCamera& camera, const simula
     return std::move(*frame);
 }
 
+const simulation::SeenThing* find(const simulation::FrameTruth& truth, const char* landmark) {
+    for (const simulation::SeenThing& thing : truth.things)
+        if (thing.landmark == LandmarkId(landmark)) return &thing;
+    return nullptr;
+}
+
 building::BuildingData corridorMap() {
     using building::AccessKind;
     using building::RegionKind;

@@ -21,8 +21,11 @@ simulation::SimulatedCamera cameraIn(const simulation::World& world,
                                      const simulation::CameraOptions& options = {});
 simulation::RenderedFrame look(simulation::SimulatedCamera& camera, const simulation::CameraPose& pose);
 
+/// A landmark in the truth of a picture; null when it is not seen.
+const simulation::SeenThing* find(const simulation::FrameTruth& truth, const char* landmark);
+
 /// A corridor of 16 m x 2.4 m along x from (0, 0), a room of 6 m x 5 m north of it behind a door at x = 8,
-/// and things of all kinds on the walls. With `plain`, no widths, heights or headings.
+/// and things of all kinds on the walls.
 building::BuildingData corridorMap();
 /// Two stairwells above each other, each with a corridor before it.
 building::BuildingData stairsMap();

@@ -17,18 +17,13 @@ namespace {
 
 using test::bareScene;
 using test::cameraIn;
+using test::find;
 using test::look;
 using test::standing;
 using test::worldOf;
 
 bool same(const cv::Mat& a, const cv::Mat& b) {
     return a.size() == b.size() && cv::norm(a, b, cv::NORM_INF) == 0.0;
-}
-
-const SeenThing* find(const FrameTruth& truth, const char* landmark) {
-    for (const SeenThing& thing : truth.things)
-        if (thing.landmark == LandmarkId(landmark)) return &thing;
-    return nullptr;
 }
 
 /// A walk with turns, so that all of exposure, blur and shake have work to do.

@@ -10,6 +10,7 @@ namespace {
 
 using test::bareScene;
 using test::cameraIn;
+using test::find;
 using test::look;
 using test::standing;
 using test::worldOf;
@@ -17,12 +18,6 @@ using test::worldOf;
 /// Mean absolute difference of two pictures in grey values.
 double difference(const cv::Mat& a, const cv::Mat& b) {
     return cv::norm(a, b, cv::NORM_L1) / (3.0 * static_cast<double>(a.total()));
-}
-
-const SeenThing* find(const FrameTruth& truth, const char* landmark) {
-    for (const SeenThing& thing : truth.things)
-        if (thing.landmark == LandmarkId(landmark)) return &thing;
-    return nullptr;
 }
 
 TEST(World, RefusesAMapWithoutAnyFloor) {

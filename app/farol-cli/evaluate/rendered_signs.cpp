@@ -1,13 +1,13 @@
 #include "app/farol-cli/evaluate/rendered_signs.h"
 
+#include "core/simulation/lettering.h"
+
 #include <opencv2/calib3d.hpp>
 #include <opencv2/freetype.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include <algorithm>
 #include <array>
-#include <fontconfig/fontconfig.h>
-#include <memory>
 
 namespace farol::cli {
 
@@ -70,20 +70,6 @@ void write(cv::Mat& plate, const SignLook& look, const cv::Scalar& colour) {
     painted.convertTo(target, CV_8UC3);
 }
 
-std::string fontFile(const char* name) {
-    std::unique_ptr<FcPattern, decltype(&FcPatternDestroy)> wanted(
-        FcNameParse(reinterpret_cast<const FcChar8*>(name)), &FcPatternDestroy);
-    if (!wanted) return {};
-    FcConfigSubstitute(nullptr, wanted.get(), FcMatchPattern);
-    FcDefaultSubstitute(wanted.get());
-    FcResult result = FcResultNoMatch;
-    std::unique_ptr<FcPattern, decltype(&FcPatternDestroy)> found(FcFontMatch(nullptr, wanted.get(), &result),
-                                                                  &FcPatternDestroy);
-    FcChar8* file = nullptr;
-    if (!found || FcPatternGetString(found.get(), FC_FILE, 0, &file) != FcResultMatch) return {};
-    return reinterpret_cast<const char*>(file);
-}
-
 } // namespace
 
 std::vector<std::string> signFonts() {
@@ -91,7 +77,7 @@ std::vector<std::string> signFonts() {
     for (const char* name :
          {"DejaVu Sans", "DejaVu Sans:bold", "DejaVu Sans Condensed:bold", "DejaVu Serif:bold", "Noto Sans",
           "Noto Sans:bold", "Noto Serif", "Liberation Sans", "Liberation Sans:bold"}) {
-        std::string file = fontFile(name);
+        std::string file = simulation::fontFile(name);
         if (!file.empty() && std::find(files.begin(), files.end(), file) == files.end())
             files.push_back(file);
     }

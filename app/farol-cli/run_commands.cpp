@@ -20,7 +20,7 @@ namespace farol::cli {
 namespace {
 
 struct RunOptions {
-    std::string map, library, source, from, to, localiser = "voting", verbosity = "objects", record,
+    std::string map, library, source, from, to, localiser = "voting", verbosity = "objects", record, detector,
                                                 language = "en";
     double framesPerSecond = 0.0;
     std::uint64_t seed = 1;
@@ -179,6 +179,14 @@ int run(const RunOptions& options) {
         source = std::move(opened).value();
     }
 
+    session::SessionOptions sessions = sessionOptions(options);
+    if (!options.detector.empty()) {
+        auto own = recognition::NetworkDetector::load(options.detector);
+        if (!own) return report(own.error());
+        sessions.perception.ownDetector =
+            std::make_shared<recognition::NetworkDetector>(std::move(own).value());
+    }
+
     WalkPrinter printer(options.jsonLines, building);
     std::optional<WalkSpeech> speech;
     if (options.speak) speech.emplace(options.language);
@@ -221,6 +229,8 @@ void addRun(CLI::App& app, int& exitCode) {
     command->add_option("--library", options->library,
                         "Trained landmarks; without it the map's own file is looked into");
     command->add_option("--source", options->source, "Where the pictures come from")->required();
+    command->add_option("--detector", options->detector,
+                        "Description (*.json) of a detector of your own that looks too");
     command->add_option("--fps", options->framesPerSecond, "Pictures a second of a folder (default 1)")
         ->check(CLI::Range(0.01, 1000.0));
     command->add_option("--seed", options->seed, "Of a simulated walk")->capture_default_str();

@@ -155,7 +155,8 @@ Perception::Perception(std::shared_ptr<const recognition::LandmarkLibrary> libra
     }
     using recognition::Sense;
     if (m_options.signs) m_signs.emplace(m_options.signDetector);
-    bool structures = m_options.doors || m_options.stairs || m_options.signs || m_options.rectangles;
+    bool structures = m_options.doors || m_options.stairs || m_options.signs || m_options.ownDetector ||
+                      m_options.rectangles;
     m_posts = {Post{Sense::Landmarks, m_options.secondsBetweenLooks, m_recogniser.has_value(), nullptr, {}},
                Post{Sense::Structures, m_options.secondsBetweenDoors, structures, nullptr, {}},
                Post{Sense::Text, m_options.secondsBetweenReadings, m_reader.has_value(), nullptr, {}}};
@@ -194,6 +195,7 @@ recognition::DetectorResult Perception::findStructures(const cv::Mat& image) {
     if (m_options.doors) result.append(recognition::detectDoors(image, m_options.doorDetector));
     if (m_options.stairs) result.append(recognition::detectStairs(image, m_options.stairsDetector));
     if (m_signs) result.append(m_signs->detect(image));
+    if (m_options.ownDetector) result.append(m_options.ownDetector->detect(image));
     if (m_options.rectangles)
         result.append(recognition::detectRectangles(image, m_options.rectangleDetector));
     return result;

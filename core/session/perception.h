@@ -8,6 +8,7 @@
 #include "core/recognition/door_detector.h"
 #include "core/recognition/landmark_recogniser.h"
 #include "core/recognition/landmark_tracker.h"
+#include "core/recognition/network_detector.h"
 #include "core/recognition/rectangle_detector.h"
 #include "core/recognition/sign_detector.h"
 #include "core/recognition/stairs_detector.h"
@@ -32,6 +33,8 @@ struct PerceptionOptions {
     recognition::DoorDetectorOptions doorDetector;
     recognition::StairsDetectorOptions stairsDetector;
     recognition::SignDetectorOptions signDetector;
+    /// The user's own; empty: none. It serves one perception at a time.
+    std::shared_ptr<recognition::NetworkDetector> ownDetector;
     recognition::RectangleDetectorOptions rectangleDetector;
     recognition::TextReaderOptions textReader;
     recognition::VisualMotionOptions visualMotion;

@@ -1,4 +1,5 @@
 #include "core/session/perception.h"
+#include "tests/recognition/tiny_network.h"
 #include "tests/session/walk_fixture.h"
 
 #include <opencv2/imgproc.hpp>
@@ -176,6 +177,31 @@ TEST(Perception, BoardsAreDetectionsOnlyWhenAskedFor) {
     Percept percept = perception.look(frameOf(plate(), 0, 0.0));
     ASSERT_FALSE(percept.detections.empty());
     EXPECT_EQ(percept.detections.front().kind, Kind::Rectangle);
+}
+
+TEST(Perception, ADetectorOfTheUsersOwnLooksToo) {
+    std::string pattern = (std::filesystem::temp_directory_path() / "farol-own-XXXXXX").string();
+    ASSERT_NE(mkdtemp(pattern.data()), nullptr);
+    std::filesystem::path folder = pattern;
+    recognition::test::writeFile(
+        folder / "tiny.onnx", recognition::test::onnxBytes({32, 32, {1, 1, 6}, {16, 16, 8, 8, 1, 0.9F}, {}}));
+    recognition::test::writeFile(
+        folder / "own.json",
+        R"({"model": "tiny.onnx", "input": {"width": 32, "height": 32}, "layout": "yolo",
+                                     "classes": [{"name": "tap", "kind": "fountain"}]})");
+    auto own = recognition::NetworkDetector::load(folder / "own.json");
+    std::filesystem::remove_all(folder);
+    ASSERT_TRUE(own) << own.error().text();
+    std::vector<std::string> warnings;
+    PerceptionOptions options;
+    options.landmarks = options.doors = options.stairs = options.signs = options.text = false;
+    options.ownDetector = std::make_shared<recognition::NetworkDetector>(std::move(*own));
+    Perception perception(nullptr, options, warnings);
+    bool seen = false;
+    for (std::uint64_t i = 0; i < 3; ++i) // a second apart: each is told as it is seen
+        for (const auto& one : perception.look(frameOf(plate(), i, static_cast<double>(i))).detections)
+            seen = seen || one.kind == Kind::Fountain;
+    EXPECT_TRUE(seen);
 }
 
 TEST(Perception, SenselessOptionsAreRefused) {

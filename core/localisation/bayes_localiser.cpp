@@ -17,6 +17,8 @@ constexpr double kStepS = 0.5; // the cloud moves on in steps no shorter, unless
 constexpr double kLongestStepS = 1.0;
 constexpr std::size_t kVotesKept = 8;
 constexpr double kLeastWeight = 1e-12;
+constexpr double kWatchPart = 0.6; // of the weight without a walker, for those who look everywhere
+constexpr float kCertainly = 0.8F; // of what was seen: then it also tells where the camera looks
 
 class BayesLocaliser : public Localiser {
 public:
@@ -70,7 +72,7 @@ private:
     MotionLog m_motion;
     double m_meanRate = 0.0; ///< detections per second to be expected anywhere
     double m_lost = 1.0;     ///< weight of "anywhere": no walker stands for it
-    double m_time = 0.0, m_evidenceTime = 0.0;
+    double m_time = 0.0, m_evidenceTime = 0.0, m_watchSince = 0.0;
     double m_against = 0.0; ///< log evidence that the belief is wrong
     std::vector<Repeat> m_recent;
     std::vector<double> m_mass; ///< of each region
@@ -84,7 +86,7 @@ void BayesLocaliser::start(double time, const std::optional<RegionId>& region) {
     m_recent.clear();
     m_against = 0.0;
     m_time = std::isfinite(time) ? time : 0.0;
-    m_evidenceTime = m_time;
+    m_evidenceTime = m_watchSince = m_time;
     m_lost = 1.0;
     if (m_building->regions().empty()) return;
     auto index = region ? m_building->regionIndex(*region) : std::nullopt;
@@ -144,6 +146,11 @@ void BayesLocaliser::step(double seconds) {
     m_lost += carried * belief;
     normalise();
     embody();
+    if (m_time - m_watchSince >= m_options.watchSeconds) {
+        m_watchSince = m_time;
+        m_cloud.changeWatch(kWatchPart * m_lost);
+        m_lost *= 1.0 - kWatchPart;
+    }
     m_cloud.renew();
 }
 
@@ -203,7 +210,7 @@ void BayesLocaliser::doubt(double logUniform, double logBelief) {
     double belief = m_cloud.totalWeight(), share = m_options.resetShare;
     m_cloud.scale(1.0 - share);
     constexpr double kSpreadPart = 0.5; // of what is given up; the rest waits for the next sight
-    m_cloud.spread(m_cloud.capacity() / 6, kSpreadPart * share * belief, std::nullopt);
+    m_cloud.spread(m_cloud.capacity() / 6, kSpreadPart * share * belief, std::nullopt, m_cloud.watch());
     m_lost += (1.0 - kSpreadPart) * share * belief;
 }
 
@@ -228,8 +235,11 @@ void BayesLocaliser::weigh(const Observation& seen) {
     double trust = trustIn(seen), before = m_cloud.totalWeight();
     auto power = static_cast<float>(trust);
     for (Walker& walker : m_cloud.walkers()) {
-        float ratio = m_sensors.ratio(look, walker.region, walker.at, m_cloud.gazeOf(walker));
-        if (ratio > 0.0F) walker.weight *= std::pow(1.0F + ratio, power);
+        Cause cause;
+        float ratio = m_sensors.ratio(look, walker.region, walker.at, m_cloud.gazeOf(walker), &cause);
+        if (ratio <= 0.0F) continue;
+        walker.weight *= std::pow(1.0F + ratio, power);
+        if (look.hasBearing && cause.part > kCertainly * (1.0F + ratio)) m_cloud.face(walker, cause);
     }
     double after = m_cloud.totalWeight();
     double uniform = std::pow(1.0 + look.uniformRatio, trust);

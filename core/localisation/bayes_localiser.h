@@ -22,11 +22,13 @@ struct WalkingOptions {
     double strayAtNode = 0.03;  ///< takes another door than the right one
     double returnRate = 0.05;   ///< finds back to the way
     double swaySigmaDeg = 24.0; ///< of the camera about the way of walking
+    double swaySeconds = 1.5;   ///< and how soon it comes back
+    double looksAway = 0.1;     ///< each second, of those who walk
     double lookShareGoing = 0.12, lookShareStanding = 0.5; ///< looks anywhere
-    double turnSigmaDeg = 3.0;                             ///< of a measured turn
+    double turnSigmaDeg = 5.0;                             ///< of a measured turn
     double unknownTurnSigmaDeg = 35.0;
-    double distanceSigma = 0.12; ///< of a measured speed, as a share
-    double headingTrust = 0.35;  ///< exponent: the sway of one second resembles that of the next
+    double distanceSigma = 0.3; ///< of a measured speed, as a share
+    double headingTrust = 0.5;  ///< exponent of what a measured turn tells
 
     Result<void> check() const;
     /// Of one who obeys what is told, and is not on a way that he knows.
@@ -43,6 +45,7 @@ struct BayesOptions {
     double missTrust = 0.33;     ///< exponent of what should have been seen and was not
     double lostRate = 0.001;     ///< per second: carried elsewhere, unseen
     double blindLostRate = 0.03; ///< the same while the camera gives nothing
+    double watchSeconds = 15.0;  ///< how often some begin to look everywhere, apart from the belief
     double startTrust = 0.97;
     double resetAt = 3.5, resetShare = 0.3; ///< log evidence against the belief, and what is doubted then
     bool useMotion = true;

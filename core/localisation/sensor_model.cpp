@@ -332,7 +332,15 @@ float SensorModel::likelihoodOf(const Look& look, const Geometry& geometry, cons
            ((1.0F - gaze.unknownShare) * inView + gaze.unknownShare * 2.0F * kHalfViewDeg / 360.0F);
 }
 
-float SensorModel::ratio(const Look& look, std::uint32_t region, Spot at, const Gaze& gaze) const {
+Cause SensorModel::causeOf(const Look& look, const Geometry& geometry, const Gaze& gaze, float part) const {
+    auto spread = static_cast<float>(m_options.positionSigmaM);
+    float sway = kRadToDeg * 0.7F * spread / std::max(geometry.range, 0.7F);
+    float direction = std::atan2(geometry.dy, geometry.dx) * kRadToDeg;
+    return {part, wrapDeg(direction - look.bearingDeg - gaze.yawDeg), sway * sway + look.bearingVariance};
+}
+
+float SensorModel::ratio(const Look& look, std::uint32_t region, Spot at, const Gaze& gaze,
+                         Cause* cause) const {
     float sum = 0.0F;
     for (const View& view : viewsNear(region, at)) {
         const Item& item = m_items[view.item];
@@ -344,7 +352,9 @@ float SensorModel::ratio(const Look& look, std::uint32_t region, Spot at, const 
         }
         Geometry geometry;
         if (!geometryOf(item, view, at, geometry)) continue;
-        sum += factor * likelihoodOf(look, geometry, gaze) * look.inverseFalse;
+        float part = factor * likelihoodOf(look, geometry, gaze) * look.inverseFalse;
+        if (cause != nullptr && part > cause->part) *cause = causeOf(look, geometry, gaze, part);
+        sum += part;
     }
     return sum;
 }

@@ -56,6 +56,13 @@ struct Gaze {
     float unknownShare = 0.0F;
 };
 
+/// What most probably caused a detection, and how far it lies beside where it was expected.
+struct Cause {
+    float part = 0.0F; ///< of the ratio
+    float offDeg = 0.0F;
+    float variance = 0.0F; ///< of offDeg, for a camera that looks exactly there
+};
+
 /// A pose from which a detection could have been made.
 struct BirthPose {
     std::uint32_t region = 0;
@@ -69,7 +76,8 @@ public:
 
     Look prepare(const recognition::Detection& detection) const;
     /// Likelihood of the mapped landmarks against a false detection; 0: no landmark explains it.
-    float ratio(const Look& look, std::uint32_t region, Spot at, const Gaze& gaze) const;
+    float ratio(const Look& look, std::uint32_t region, Spot at, const Gaze& gaze,
+                Cause* cause = nullptr) const;
     /// Detections per second to be expected there.
     float expectedRate(std::uint32_t region, Spot at, const Gaze& gaze) const;
     /// A pose drawn in proportion to ratio(); `next` gives numbers from 0 to 1. Empty when no place was
@@ -104,6 +112,7 @@ private:
     float factorOf(const Look& look, const Item& item) const;
     float placeRatio(const Look& look, const Item& item, Spot at, const Gaze& gaze, float factor) const;
     float likelihoodOf(const Look& look, const Geometry& geometry, const Gaze& gaze) const;
+    Cause causeOf(const Look& look, const Geometry& geometry, const Gaze& gaze, float part) const;
     std::span<const View> viewsNear(std::uint32_t region, Spot at) const;
     void readText(const recognition::Detection& detection, Look& look, double& falseFactor) const;
     void weighUniform(Look& look) const;

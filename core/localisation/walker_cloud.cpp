@@ -1,6 +1,7 @@
 #include "core/localisation/walker_cloud.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -12,6 +13,7 @@ constexpr float kRadToDeg = 57.29578F;
 constexpr float kYawUnknown = 8000.0F; // square degrees: as good as no idea
 constexpr double kStandsBelow = 0.2;   // of the usual pace
 constexpr float kGraceS = 1.2F;
+constexpr float kNeutral = 0.6F; // what the right guess gets in the mean where turns tell something
 
 float directionDeg(Spot from, Spot to) {
     return std::atan2(to.y - from.y, to.x - from.x) * kRadToDeg;
@@ -43,6 +45,7 @@ void WalkerCloud::clear(std::uint64_t seed) {
     m_speed = m_options.walking.speed;
     m_speedSpread = m_options.walking.speedSpread;
     m_motionKnown = false;
+    m_watch = 1;
 }
 
 float WalkerCloud::drawSpeed() {
@@ -50,11 +53,13 @@ float WalkerCloud::drawSpeed() {
     return static_cast<float>(std::clamp(speed, m_options.walking.slowest, m_options.walking.fastest));
 }
 
-void WalkerCloud::spread(std::size_t count, double weight, std::optional<std::uint32_t> region) {
+void WalkerCloud::spread(std::size_t count, double weight, std::optional<std::uint32_t> region,
+                         std::uint8_t watch) {
     if (count == 0) return;
     double offset = m_random.uniformDouble();
     for (std::size_t i = 0; i < count; ++i) {
         Walker walker;
+        walker.watch = watch;
         // Evenly over the map, not at random: no region is forgotten by chance.
         double share = (static_cast<double>(i) + offset) / static_cast<double>(count);
         walker.region = region ? *region : m_map->regionAtShare(share);
@@ -72,6 +77,7 @@ void WalkerCloud::spread(std::size_t count, double weight, std::optional<std::ui
 
 Walker WalkerCloud::born(const BirthPose& pose, float weight) {
     Walker walker;
+    walker.watch = m_watch;
     walker.region = pose.region;
     walker.at = pose.at;
     walker.speed = drawSpeed();
@@ -229,6 +235,7 @@ void WalkerCloud::arrive(Walker& walker) {
     const WalkingNode& beyond = m_map->nodes()[static_cast<std::size_t>(node.across)];
     if (node.changesLevel) {
         walker.climbTo = node.across;
+        walker.climbShows = m_random.uniform() < (node.isLift ? 0.1F : 0.5F);
         walker.climbM = node.crossingM * (0.85F + 0.3F * m_random.uniform());
         return;
     }
@@ -250,6 +257,7 @@ void WalkerCloud::climb(Walker& walker, float metres) {
     walker.at = beyond.at;
     walker.climbTo = -1;
     walker.graceS = kGraceS;
+    walker.yawVariance = 1e6F;
     choose(walker, from);
     // The next flight of stairs, or the same lift going on: no walk lies between.
     constexpr float kLandingM = 2.5F;
@@ -273,11 +281,11 @@ void WalkerCloud::walk(Walker& walker, float metres) {
     }
 }
 
-/// Standing for long is what people do in lifts (and, to the eye of the camera, on stairs) and at the goal,
-/// seldom in between.
+/// Standing for long is what people do in lifts and at the goal, seldom in between. On stairs the picture may
+/// tell steps or nothing of use: each climber takes one of the two for granted.
 float WalkerCloud::standingWeight(Walker& walker, const MotionSpan& motion, bool moving) {
     constexpr float kOnset = 0.15F, kStaysPerS = 0.8F, kMovesOnStairs = 0.35F;
-    bool mayStand = walker.climbTo >= 0 || walker.node == Walker::kResting;
+    bool mayStand = walker.climbTo >= 0 ? !walker.climbShows : walker.node == Walker::kResting;
     auto seconds = static_cast<float>(motion.seconds);
     if (moving) {
         walker.stands = false;
@@ -290,32 +298,63 @@ float WalkerCloud::standingWeight(Walker& walker, const MotionSpan& motion, bool
     return weight;
 }
 
-void WalkerCloud::turn(Walker& walker, const MotionSpan& motion, bool moving) {
+/// The way of walking has changed, or has to show itself again: is the camera about there?
+float WalkerCloud::settle(Walker& walker) {
     const WalkingOptions& walking = m_options.walking;
-    auto seconds = static_cast<float>(motion.seconds);
-    walker.yawDeg = wrappedDeg(walker.yawDeg + motion.turnDeg);
-    walker.yawVariance +=
-        static_cast<float>(motion.seconds * walking.turnSigmaDeg * walking.turnSigmaDeg +
-                           motion.unseenSeconds * walking.unknownTurnSigmaDeg * walking.unknownTurnSigmaDeg);
-    walker.graceS = std::max(0.0F, walker.graceS - seconds);
     auto sway = static_cast<float>(walking.swaySigmaDeg * walking.swaySigmaDeg);
     if (walker.yawVariance > kYawUnknown) {
-        // Who stands may look anywhere, and at the start mostly does.
-        if (!moving || walker.climbTo >= 0 || walker.graceS > 0.0F) return;
-        walker.yawDeg = wrappedDeg(walker.headingDeg + std::sqrt(sway) * m_random.normal());
+        walker.yawDeg = walker.headingDeg;
         walker.yawVariance = sway;
-        return;
+        return 1.0F;
     }
-    if (!moving || walker.climbTo >= 0 || walker.graceS > 0.0F) return;
-    constexpr float kAnyShare = 0.06F, kSwayLasts = 4.0F;
-    float off = wrappedDeg(walker.headingDeg - walker.yawDeg), variance = walker.yawVariance + sway;
-    float density = std::exp(-0.5F * off * off / variance) * 143.62F / std::sqrt(variance); // times 360
-    float likelihood = kAnyShare + (1.0F - kAnyShare) * density;
-    walker.weight *= std::pow(likelihood, static_cast<float>(walking.headingTrust) * seconds);
-    if (std::abs(off) > 75.0F) return;
-    float gain = walker.yawVariance / (walker.yawVariance + sway * kSwayLasts / std::max(seconds, 0.05F));
-    walker.yawDeg = wrappedDeg(walker.yawDeg + gain * off);
-    walker.yawVariance *= 1.0F - gain;
+    auto away = static_cast<float>(walking.looksAway);
+    float off = wrappedDeg(walker.yawDeg - walker.headingDeg), variance = walker.yawVariance + sway;
+    float likely =
+        away * std::sqrt(variance) / 143.62F + (1.0F - away) * std::exp(-0.5F * off * off / variance);
+    if (std::abs(off) < 75.0F) {
+        float kept = sway / variance;
+        walker.yawDeg = wrappedDeg(walker.headingDeg + kept * off);
+        walker.yawVariance *= kept;
+    }
+    return likely * 24.0F / std::sqrt(variance);
+}
+
+/// The camera sways about the way of walking and comes back to it within seconds: a measured turn tells both
+/// whether the walker's own turn was the user's and where the camera looks now.
+float WalkerCloud::turn(Walker& walker, const MotionSpan& motion, bool moving) {
+    const WalkingOptions& walking = m_options.walking;
+    auto seconds = static_cast<float>(motion.seconds);
+    auto noise =
+        static_cast<float>(motion.seconds * walking.turnSigmaDeg * walking.turnSigmaDeg +
+                           motion.unseenSeconds * walking.unknownTurnSigmaDeg * walking.unknownTurnSigmaDeg);
+    bool wasTurning = walker.graceS > 0.0F;
+    walker.graceS = std::max(0.0F, walker.graceS - seconds);
+    bool known = walker.yawVariance <= kYawUnknown;
+    if (!moving || walker.climbTo >= 0 || walker.graceS > 0.0F || wasTurning || !known) {
+        walker.yawDeg = wrappedDeg(walker.yawDeg + motion.turnDeg);
+        walker.yawVariance += noise;
+        if (!moving) walker.graceS = std::max(walker.graceS, 0.3F);
+        bool settles = moving && walker.climbTo < 0 && walker.graceS <= 0.0F;
+        return settles ? settle(walker) : moving ? kNeutral : 1.0F;
+    }
+    auto sway = static_cast<float>(walking.swaySigmaDeg * walking.swaySigmaDeg);
+    float stays = std::exp(-seconds / static_cast<float>(walking.swaySeconds));
+    float off = wrappedDeg(walker.yawDeg - walker.headingDeg), p = walker.yawVariance;
+    float jitter = sway * (1.0F - stays * stays);
+    float variance = (1.0F - stays) * (1.0F - stays) * p + jitter + noise;
+    float surprise = wrappedDeg(motion.turnDeg - (stays - 1.0F) * off);
+    auto away = static_cast<float>(walking.looksAway);
+    float fits = (1.0F - away) * std::exp(-0.5F * surprise * surprise / variance);
+    float jumps = away * std::sqrt(variance) / 71.8F;
+    if (fits < jumps) {
+        walker.yawDeg = wrappedDeg(walker.yawDeg + motion.turnDeg);
+        walker.yawVariance = p + noise;
+    } else {
+        float together = stays * (stays - 1.0F) * p + jitter, gain = together / variance;
+        walker.yawDeg = wrappedDeg(walker.headingDeg + stays * off + gain * surprise);
+        walker.yawVariance = std::max(1.0F, stays * stays * p + jitter - gain * together);
+    }
+    return (fits + jumps) * std::sqrt(jitter / variance);
 }
 
 double WalkerCloud::advance(const MotionSpan& motion, const SensorModel& sensors, double missTrust) {
@@ -336,15 +375,16 @@ double WalkerCloud::advance(const MotionSpan& motion, const SensorModel& sensors
         float noise = 1.0F + static_cast<float>(walking.distanceSigma) * m_random.normal();
         float metres =
             moving ? walker.speed * seconds * static_cast<float>(motion.pace) * std::max(0.0F, noise) : 0.0F;
-        if (motion.measured) {
-            walker.weight *= standingWeight(walker, motion, moving);
-            turn(walker, motion, moving);
-        }
-        after += double(walker.weight);
+        if (motion.measured) walker.weight *= standingWeight(walker, motion, moving);
         if (walker.climbTo >= 0)
             climb(walker, walker.speed * seconds * std::max(0.0F, noise));
         else
             walk(walker, metres);
+        if (motion.measured) {
+            float fits = turn(walker, motion, moving);
+            walker.weight *= std::pow(std::max(1e-4F, fits), static_cast<float>(walking.headingTrust));
+        }
+        after += double(walker.weight);
         float drift = 0.02F * std::sqrt(seconds) * m_random.normal();
         walker.speed = std::clamp(walker.speed + drift, static_cast<float>(walking.slowest),
                                   static_cast<float>(walking.fastest));
@@ -367,6 +407,14 @@ Gaze WalkerCloud::gazeOf(const Walker& walker) const {
     return {walker.headingDeg, static_cast<float>(walking.swaySigmaDeg * walking.swaySigmaDeg), any};
 }
 
+void WalkerCloud::face(Walker& walker, const Cause& cause) const {
+    constexpr float kFarOff = 60.0F;
+    if (!m_motionKnown || walker.yawVariance > kYawUnknown || std::abs(cause.offDeg) > kFarOff) return;
+    float gain = walker.yawVariance / (walker.yawVariance + cause.variance);
+    walker.yawDeg = wrappedDeg(walker.yawDeg + gain * cause.offDeg);
+    walker.yawVariance *= 1.0F - gain;
+}
+
 double WalkerCloud::totalWeight() const {
     double sum = 0.0;
     for (const Walker& walker : m_walkers) sum += double(walker.weight);
@@ -386,38 +434,73 @@ double WalkerCloud::meanSpeed() const {
     return total > 0.0 ? sum / total : m_options.walking.speed;
 }
 
-/// The unlikely are drawn oftener than their weight asks for, and keep a smaller one: so the second best
-/// guess, needed when the first fails, is not forgotten.
+void WalkerCloud::changeWatch(double weight) {
+    m_watch = m_watch == 1 ? 2 : 1;
+    for (Walker& walker : m_walkers)
+        if (walker.watch == m_watch) walker.watch = 0;
+    spread(watchCapacity(), weight, std::nullopt, m_watch);
+}
+
 void WalkerCloud::renew() {
-    constexpr double kEvenness = 0.6, kEnough = 0.5;
-    double sum = 0.0, squares = 0.0;
-    for (const Walker& walker : m_walkers) {
-        sum += double(walker.weight);
-        squares += double(walker.weight) * double(walker.weight);
-    }
-    if (!(sum > 0.0)) return;
-    bool crowded = m_walkers.size() > m_capacity + m_capacity / 4;
-    if (!crowded && sum * sum / squares > kEnough * static_cast<double>(m_walkers.size())) return;
-    m_sums.resize(m_walkers.size());
-    double total = 0.0;
-    for (std::size_t i = 0; i < m_walkers.size(); ++i) {
-        total += std::pow(double(m_walkers[i].weight) / sum, kEvenness);
-        m_sums[i] = total;
-    }
-    m_next.clear();
-    double step = total / static_cast<double>(m_capacity), at = step * m_random.uniformDouble(), kept = 0.0;
-    for (std::size_t i = 0; i < m_walkers.size(); ++i) {
-        double each = m_sums[i] - (i > 0 ? m_sums[i - 1] : 0.0);
-        for (; at < m_sums[i]; at += step) {
-            m_next.push_back(m_walkers[i]);
-            // Drawn each/step times in the mean; together they keep the weight they had.
-            m_next.back().weight = static_cast<float>(double(m_walkers[i].weight) * step / each);
-            kept += double(m_next.back().weight);
+    // In the order of their watches, without a change of order within one.
+    std::array<std::size_t, 4> begin{};
+    for (const Walker& walker : m_walkers) ++begin[walker.watch + 1U];
+    for (std::size_t w = 1; w < begin.size(); ++w) begin[w] += begin[w - 1];
+    auto needsRoom = [&](std::size_t w) {
+        std::size_t count = begin[w + 1] - begin[w], most = w == 0 ? m_capacity : watchCapacity();
+        if (count == 0) return false;
+        if (count > most + most / 4) return true;
+        double sum = 0.0, squares = 0.0;
+        for (const Walker& walker : m_walkers) {
+            if (walker.watch != w) continue;
+            sum += double(walker.weight);
+            squares += double(walker.weight) * double(walker.weight);
+        }
+        constexpr double kEnough = 0.5;
+        return sum > 0.0 && sum * sum / squares <= kEnough * static_cast<double>(count);
+    };
+    std::array<bool, 3> renews{needsRoom(0), needsRoom(1), needsRoom(2)};
+    if (!renews[0] && !renews[1] && !renews[2]) return;
+    m_sorted.resize(m_walkers.size());
+    std::array<std::size_t, 4> next = begin;
+    for (const Walker& walker : m_walkers) m_sorted[next[walker.watch]++] = walker;
+    m_walkers.clear();
+    for (std::size_t w = 0; w < renews.size(); ++w) {
+        if (renews[w]) {
+            renew(begin[w], begin[w + 1], w == 0 ? m_capacity : watchCapacity());
+        } else {
+            m_walkers.insert(m_walkers.end(), m_sorted.begin() + static_cast<std::ptrdiff_t>(begin[w]),
+                             m_sorted.begin() + static_cast<std::ptrdiff_t>(begin[w + 1]));
         }
     }
-    m_walkers.swap(m_next);
-    if (kept > 0.0) scale(sum / kept);
     m_speed = meanSpeed();
+}
+
+/// The unlikely are drawn oftener than their weight asks for, and keep a smaller one: so the second best
+/// guess, needed when the first fails, is not forgotten.
+void WalkerCloud::renew(std::size_t first, std::size_t last, std::size_t capacity) {
+    constexpr double kEvenness = 0.6;
+    double sum = 0.0, total = 0.0, kept = 0.0;
+    for (std::size_t i = first; i < last; ++i) sum += double(m_sorted[i].weight);
+    if (!(sum > 0.0)) return;
+    m_sums.resize(last - first);
+    for (std::size_t i = first; i < last; ++i) {
+        total += std::pow(double(m_sorted[i].weight) / sum, kEvenness);
+        m_sums[i - first] = total;
+    }
+    std::size_t begun = m_walkers.size();
+    double step = total / static_cast<double>(capacity), at = step * m_random.uniformDouble();
+    for (std::size_t i = first; i < last; ++i) {
+        double upTo = m_sums[i - first], each = upTo - (i > first ? m_sums[i - first - 1] : 0.0);
+        for (; at < upTo; at += step) {
+            m_walkers.push_back(m_sorted[i]);
+            // Drawn each/step times in the mean; together they keep the weight they had.
+            m_walkers.back().weight = static_cast<float>(double(m_sorted[i].weight) * step / each);
+            kept += double(m_walkers.back().weight);
+        }
+    }
+    for (std::size_t i = begun; kept > 0.0 && i < m_walkers.size(); ++i)
+        m_walkers[i].weight = static_cast<float>(double(m_walkers[i].weight) * sum / kept);
 }
 
 } // namespace farol::localisation

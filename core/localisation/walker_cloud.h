@@ -22,8 +22,10 @@ struct Walker {
     float yawDeg = 0.0F, yawVariance = 1e6F; ///< of the camera
     float graceS = 0.0F;                     ///< still turning to the new heading
     float weight = 0.0F;
+    std::uint8_t watch = 0; ///< 0: of the belief; 1, 2: of those kept apart from it
     bool follows = false;
     bool stands = false;
+    bool climbShows = false; ///< the picture tells the steps of this climb
 };
 
 /// What is known of the motion of a span of time.
@@ -46,18 +48,26 @@ public:
     std::size_t capacity() const { return m_capacity; }
 
     /// Walkers all over the map (`region` empty) or in a region, together of that weight.
-    void spread(std::size_t count, double weight, std::optional<std::uint32_t> region);
+    void spread(std::size_t count, double weight, std::optional<std::uint32_t> region,
+                std::uint8_t watch = 0);
     /// A walker at a pose, heading about where the camera looks.
     Walker born(const BirthPose& pose, float weight);
     /// Every walker thinks anew about the way: a goal was set or taken away.
     void reconsider();
     /// How well the motion fits, in the mean: what it did to the weights beside the things not seen.
     double advance(const MotionSpan& motion, const SensorModel& sensors, double missTrust);
+    /// What was seen off the place expected corrects where the walker's camera looks.
+    void face(Walker& walker, const Cause& cause) const;
     Gaze gazeOf(const Walker& walker) const;
     double totalWeight() const;
     void scale(double factor);
-    /// Draws `capacity` walkers when too few carry the weight.
+    /// Draws walkers anew where too few carry the weight: of the belief, and of each watch by itself, so that
+    /// a young doubt has its time before it is weighed against the belief.
     void renew();
+    std::size_t watchCapacity() const { return m_capacity / 4; }
+    /// The older watch joins the belief, and a new one begins with walkers all over the map.
+    void changeWatch(double weight);
+    std::uint8_t watch() const { return m_watch; }
     double meanSpeed() const;
 
 private:
@@ -70,20 +80,23 @@ private:
     void walk(Walker& walker, float metres);
     void arrive(Walker& walker);
     void climb(Walker& walker, float metres);
-    void turn(Walker& walker, const MotionSpan& motion, bool moving);
+    float turn(Walker& walker, const MotionSpan& motion, bool moving);
+    float settle(Walker& walker);
     float standingWeight(Walker& walker, const MotionSpan& motion, bool moving);
     float drawSpeed();
+    void renew(std::size_t first, std::size_t last, std::size_t capacity);
 
     std::shared_ptr<WalkingMap> m_map;
     BayesOptions m_options;
     Random m_random;
     std::size_t m_capacity;
-    std::vector<Walker> m_walkers, m_next;
+    std::vector<Walker> m_walkers, m_sorted;
     std::vector<std::uint32_t> m_nodes;        ///< scratch of wander()
     std::vector<float> m_weights;              ///< scratch of wander() and chooseWay()
     std::vector<double> m_sums;                ///< scratch of renew()
     double m_speed = 0.0, m_speedSpread = 0.0; ///< of walkers yet to come: what is known of this user
     bool m_motionKnown = false;
+    std::uint8_t m_watch = 1; ///< the younger
 };
 
 float wrappedDeg(float degrees);

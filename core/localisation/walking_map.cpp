@@ -127,6 +127,7 @@ void WalkingMap::addAccess(const Access& access, std::uint32_t a, std::uint32_t 
     if (access.oneWay != building::OneWay::BToA) one.across = first + 1;
     if (access.oneWay != building::OneWay::AToB) two.across = first;
     one.changesLevel = two.changesLevel = access.changesLevel();
+    one.isLift = two.isLift = access.kind == AccessKind::Elevator;
     one.crossingM = two.crossingM = static_cast<float>(lengthOfCrossing(access));
     Point2 ends = access.line.back() - access.line.front();
     if (double wide = length(ends); wide > 1.2 && !access.changesLevel()) {

@@ -27,7 +27,7 @@ struct WalkingNode {
     float crossingM = 0.0F;   ///< walking distance to `across`
     float halfWidthM = 0.0F;  ///< how far beside `at` one may pass
     Spot along;               ///< unit vector of the opening
-    bool changesLevel = false;
+    bool changesLevel = false, isLift = false;
 };
 
 class WalkingMap {

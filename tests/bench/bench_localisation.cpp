@@ -1,5 +1,5 @@
 // Tunes, calibrates and times the filter on buildings and walks of our own; nothing here sees data/walks.
-//   bench_localisation --buildings 24 --seed 100 --motion both [--set trust=0.9,...]
+//   bench_localisation --buildings 24 --seed 100 --motion both [--set trust=0.9,...] [--each] [--trace]
 //   bench_localisation --calibrate core/localisation/confidence_table.inc --buildings 96 --seed 1000
 //   bench_localisation --write DIR --buildings 4       maps and walks in the form of data/walks
 //   bench_localisation --speed
@@ -34,7 +34,7 @@ using localisation::BayesOptions;
 struct Arguments {
     std::size_t buildings = 24, seed = 100;
     std::string motion = "both", calibrate, write;
-    bool speed = false, each = false;
+    bool speed = false, each = false, trace = false;
     BayesOptions options;
 };
 
@@ -57,6 +57,8 @@ std::map<std::string, double*> fieldsOf(BayesOptions& o) {
             {"strayNode", &w.strayAtNode},
             {"return", &w.returnRate},
             {"sway", &w.swaySigmaDeg},
+            {"swayS", &w.swaySeconds},
+            {"away", &w.looksAway},
             {"lookGo", &w.lookShareGoing},
             {"lookStand", &w.lookShareStanding},
             {"turn", &w.turnSigmaDeg},
@@ -70,6 +72,7 @@ std::map<std::string, double*> fieldsOf(BayesOptions& o) {
             {"lost", &o.lostRate},
             {"blind", &o.blindLostRate},
             {"start", &o.startTrust},
+            {"watch", &o.watchSeconds},
             {"resetAt", &o.resetAt},
             {"reset", &o.resetShare}};
 }
@@ -93,26 +96,15 @@ bool readSettings(const std::string& text, BayesOptions& options) {
     return true;
 }
 
-/// `harder`: worse eyes, more straying and carrying off, by turns; confidence is to hold there too.
-LoggedWalk madeWalk(std::size_t seed, std::size_t which, std::shared_ptr<const building::Building>& building,
-                    bool harder = false) {
-    if (which == 0) {
-        test::WalkBuildingOptions plan;
-        plan.archetype = static_cast<test::Archetype>(seed % 4);
-        plan.density = static_cast<int>((seed / 4) % 3);
-        plan.seed = seed;
-        building = std::make_shared<building::Building>(test::walkBuildingData(plan));
-    }
-    test::WalkOptions options;
-    options.seed = seed * 10 + which;
-    if (harder) {
-        double worse = static_cast<double>((seed * 2 + which) % 5) / 4.0;
-        options.detectionPerS *= 1.0 - 0.5 * worse;
-        options.falsePerS *= 1.0 + worse;
-        options.strayAtDoor *= 1.0 + worse;
-        options.kidnap *= 1.0 + worse;
-    }
-    test::SimulatedWalk made = test::simulateWalk(building, options);
+test::SimulatedWalk simulated(std::size_t seed, std::size_t which,
+                              std::shared_ptr<const building::Building>& building) {
+    if (which == 0) building = std::make_shared<building::Building>(test::variedBuildingData(seed));
+    return test::simulateWalk(building, test::variedWalk(seed * 10 + which));
+}
+
+LoggedWalk madeWalk(std::size_t seed, std::size_t which,
+                    std::shared_ptr<const building::Building>& building) {
+    test::SimulatedWalk made = simulated(seed, which, building);
     auto walk = cli::parseWalk(building, std::to_string(seed), made.log, made.truth);
     if (!walk) {
         std::cerr << walk.error().text() << "\n";
@@ -192,6 +184,22 @@ void printWalk(const LoggedWalk& walk, const std::vector<Moment>& said) {
                 walk.unknownSince.empty() ? "" : "unknown start or carried");
 }
 
+/// Second by second: the truth, what was said, and what the truth still weighed.
+void traceWalk(const LoggedWalk& walk, const std::vector<Moment>& said) {
+    for (std::size_t i = 0; i < said.size(); ++i) {
+        const cli::TruthRow& row = walk.truth[i];
+        const localisation::Fix& fix = said[i].fix;
+        double weight = 0.0;
+        for (const auto& vote : fix.votes)
+            if (vote.region == row.region) weight = vote.vote;
+        double away = fix.position && fix.level == row.level ? distance(*fix.position, row.position) : -1.0;
+        std::printf("%6.0f  %-6s %-6s %s  said %-6s  sure %.2f  near %.2f  truth has %.3f  off %5.1f m\n",
+                    row.time, row.region.value.c_str(), row.mode.c_str(), row.onRoute ? "  " : "X ",
+                    fix.region ? fix.region->value.c_str() : "-", fix.confidence, fix.nearConfidence, weight,
+                    away);
+    }
+}
+
 void measure(const Arguments& arguments) {
     for (bool motion : {false, true}) {
         if (arguments.motion == (motion ? "off" : "on")) continue;
@@ -205,6 +213,7 @@ void measure(const Arguments& arguments) {
                 std::vector<Moment> said = followed(walk, arguments.options, motion);
                 scores.add(walk, said, false);
                 if (arguments.each) printWalk(walk, said);
+                if (arguments.trace) traceWalk(walk, said);
                 sum += logScore(walk, said);
                 moments += said.size();
             }
@@ -228,7 +237,7 @@ int calibrate(const Arguments& arguments) {
         for (std::size_t seed = arguments.seed; seed < arguments.seed + arguments.buildings; ++seed) {
             std::shared_ptr<const building::Building> building;
             for (std::size_t which = 0; which < 2; ++which) {
-                LoggedWalk walk = madeWalk(seed, which, building, true);
+                LoggedWalk walk = madeWalk(seed, which, building);
                 scores.add(walk, followed(walk, raw, motion), false);
             }
         }
@@ -245,17 +254,14 @@ int writeWalks(const Arguments& arguments) {
     for (std::size_t seed = arguments.seed; seed < arguments.seed + arguments.buildings; ++seed) {
         fs::path folder = fs::path(arguments.write) / ("b" + std::to_string(seed));
         fs::create_directories(folder);
-        test::WalkBuildingOptions plan{static_cast<test::Archetype>(seed % 4),
-                                       static_cast<int>((seed / 4) % 3), seed};
-        auto building = std::make_shared<building::Building>(test::walkBuildingData(plan));
+        std::shared_ptr<const building::Building> building;
+        test::SimulatedWalk first = simulated(seed, 0, building);
         if (auto saved = building::saveBuilding(*building, (folder / "map.gpkg").string()); !saved) {
             std::cerr << saved.error().text() << "\n";
             return 1;
         }
         for (std::size_t which = 0; which < 2; ++which) {
-            test::WalkOptions options;
-            options.seed = seed * 10 + which;
-            test::SimulatedWalk walk = test::simulateWalk(building, options);
+            test::SimulatedWalk walk = which == 0 ? first : simulated(seed, which, building);
             std::string name = "w00" + std::to_string(which);
             std::ofstream(folder / (name + ".jsonl")) << walk.log;
             std::ofstream(folder / (name + ".truth.jsonl")) << walk.truth;
@@ -270,8 +276,11 @@ int main(int argc, char** argv) {
     Arguments arguments;
     for (int i = 1; i < argc; ++i) {
         std::string name = argv[i], value = i + 1 < argc ? argv[i + 1] : "";
-        if (name == "--speed" || name == "--each") {
-            (name == "--speed" ? arguments.speed : arguments.each) = true;
+        bool& flag = name == "--speed"  ? arguments.speed
+                     : name == "--each" ? arguments.each
+                                        : arguments.trace;
+        if (name == "--speed" || name == "--each" || name == "--trace") {
+            flag = true;
             continue;
         }
         ++i;

@@ -88,6 +88,7 @@ struct Thing {
     std::optional<Radians> facing;
     double luck = 1.0; ///< of being found on this visit: misses of one object go together
     double lastSeen = -100.0;
+    bool found = true;
 };
 
 class Simulation {
@@ -109,6 +110,7 @@ private:
     void act();
     bool finished() const { return m_restS <= 0.0 && m_mode == "arrived"; }
     void choose();
+    void turnBack();
     void arriveAtTarget();
     void look();
     void see(Thing& thing, double hazard);
@@ -140,6 +142,8 @@ private:
     std::vector<std::size_t> m_planned;
     std::string m_mode = "walk";
     double m_lastYaw = 0.0, m_walkedM = 0.0;
+    std::map<std::size_t, double> m_roomScale;
+    bool m_flowLost = false;
     int m_frame = 0, m_scene = 0;
 };
 
@@ -164,6 +168,7 @@ void Simulation::placeThings() {
         if (m_random.chance(m_options.stale)) continue;
         m_things.push_back({landmark.kind, landmark.text, *m_building->regionIndex(landmark.region),
                             landmark.position, landmark.heading});
+        m_things.back().found = !m_random.chance(m_options.neverFound);
     }
     constexpr Kind kClutter[] = {Kind::Rectangle, Kind::Poster, Kind::Locker, Kind::Door};
     for (std::size_t r = 0; r < m_building->regions().size(); ++r) {
@@ -176,9 +181,9 @@ void Simulation::placeThings() {
 }
 
 double Simulation::yawDeg() const {
-    constexpr double kSwayDeg = 24.0, kLookDeg = 115.0;
-    double sway = m_mode == "look" ? kLookDeg * std::sin(m_lookPhase) : kSwayDeg * std::sin(m_swayPhase);
-    return wrapDegrees(m_headingDeg + sway);
+    double sway = m_mode == "look" ? m_options.lookDeg * std::sin(m_lookPhase)
+                                   : m_options.swayDeg * std::sin(m_swayPhase);
+    return wrapDegrees(m_headingDeg + sway + m_options.cameraOffDeg);
 }
 
 void Simulation::choose() {
@@ -186,7 +191,8 @@ void Simulation::choose() {
     m_access = m_ways.next(m_region, m_at, m_passed);
     bool strays = m_strays > 0 || (m_access && m_time > 2.0 && m_random.chance(m_options.strayAtDoor));
     if (strays && accesses.size() > 1) {
-        if (m_strays == 0) m_strays = 1 + static_cast<int>(m_random.below(3));
+        if (m_strays == 0)
+            m_strays = 1 + static_cast<int>(m_random.below(static_cast<std::size_t>(m_options.strayMost)));
         --m_strays;
         auto right = m_access;
         for (int i = 0; i < 4 && (m_access == right || i == 0); ++i)
@@ -217,9 +223,23 @@ void Simulation::arriveAtTarget() {
     choose();
 }
 
+/// A change of mind on the way: off through another door of the same region, often the last one.
+void Simulation::turnBack() {
+    auto accesses = m_building->accessesOf(m_region);
+    std::size_t another =
+        m_passed && m_random.chance(0.5) ? *m_passed : accesses[m_random.below(accesses.size())];
+    if (another == m_access) return;
+    m_strays = std::max(m_strays, 1);
+    m_access = another;
+    m_target = m_ways.at(another);
+    if (distance(m_at, m_target) > 0.05) m_wantedDeg = toDegrees(directionOf(m_target - m_at));
+}
+
 void Simulation::act() {
     if (m_mode == "floor") {
         m_climbS -= kTickS;
+        bool lift = m_building->accesses()[*m_access].kind == building::AccessKind::Elevator;
+        m_walkedM += lift ? 0.0 : m_options.stairsShow * m_speed * kTickS;
         const Access& access = m_building->accesses()[*m_access];
         if (m_climbS < m_climbHalfS && m_climbHalfS > 0.0) {
             m_region = *m_building->otherSide(access, m_region);
@@ -238,17 +258,18 @@ void Simulation::act() {
         return;
     }
     if (m_mode != "walk") return;
-    if (m_random.chance(kTickS / 22.0)) {
+    if (m_random.chance(kTickS * m_options.pausePerS)) {
         m_mode = "pause";
-        m_restS = m_random.between(1.0, 6.0);
+        m_restS = m_random.between(1.0, m_options.pauseMostS);
         return;
     }
-    if (m_random.chance(kTickS * 0.018)) {
+    if (m_random.chance(kTickS * m_options.lookPerS)) {
         m_mode = "look";
         m_restS = 6.0;
         m_lookPhase = 0.0;
         return;
     }
+    if (m_access && m_random.chance(kTickS * m_options.turnBackPerS)) turnBack();
     double off = wrapDegrees(m_wantedDeg - m_headingDeg);
     double most = kTurnRateDeg * kTickS;
     m_headingDeg = wrapDegrees(m_headingDeg + std::clamp(off, -most, most));
@@ -313,6 +334,7 @@ void Simulation::write(const Thing& thing, double rangeM, double bearingDeg, boo
 }
 
 void Simulation::see(Thing& thing, double hazard) {
+    if (!thing.found) return;
     Point2 to = thing.at - m_at;
     double range = length(to);
     if (range > 4.2 || range < 0.3) return;
@@ -374,22 +396,27 @@ void Simulation::writeTruth() {
 }
 
 void Simulation::writeMotion() {
-    double yaw = yawDeg(), turn = wrapDegrees(yaw - m_lastYaw) + 1.5 * m_random.normal();
-    double speed = std::max(0.0, m_walkedM * m_scale * (1.0 + 0.12 * m_random.normal())) +
-                   0.03 * std::abs(m_random.normal());
+    double yaw = yawDeg();
+    double turn = m_options.turnGain * wrapDegrees(yaw - m_lastYaw) + m_options.turnBiasDeg +
+                  m_options.turnNoiseDeg * m_random.normal();
+    auto [here, isNew] = m_roomScale.try_emplace(m_region, 1.0);
+    if (isNew) here->second = std::exp(m_options.roomScaleSigma * m_random.normal());
+    double scale = m_scale * here->second * (1.0 + m_options.speedNoise * m_random.normal());
+    double speed = std::max(0.0, m_walkedM * scale) + 0.03 * std::abs(m_random.normal());
     m_lastYaw = yaw;
     m_walkedM = 0.0;
-    bool fails = m_random.chance(m_options.lostFlow);
+    double stays = 1.0 - 1.0 / std::max(1.0, m_options.lostFlowS);
+    m_flowLost = m_random.chance(m_flowLost ? stays : m_options.lostFlow * (1.0 - stays));
     m_walk.log += "{\"t\":" + number(m_time) +
-                  ",\"motion\":{\"turn_deg\":" + (fails ? "null" : number(turn)) +
-                  ",\"speed\":" + (fails ? "null" : number(speed)) + "}}\n";
+                  ",\"motion\":{\"turn_deg\":" + (m_flowLost ? "null" : number(turn)) +
+                  ",\"speed\":" + (m_flowLost ? "null" : number(speed)) + "}}\n";
 }
 
 void Simulation::tick() {
     m_time += kTickS;
     ++m_frame;
     if (m_frame % 4 == 0) ++m_scene;
-    m_swayPhase += 2.0 * kPi * kTickS / 8.2 * (1.0 + 0.3 * m_random.normal());
+    m_swayPhase += 2.0 * kPi * kTickS / m_options.swayS * (1.0 + 0.3 * m_random.normal());
     act();
     if (m_frame % 5 == 0) writeMotion();
     look();
@@ -428,8 +455,8 @@ void Simulation::leg(bool known, double mostS) {
 }
 
 SimulatedWalk Simulation::run() {
-    m_baseSpeed = m_speed = m_random.between(0.4, 1.2);
-    m_scale = m_random.between(0.75, 1.35);
+    m_baseSpeed = m_speed = m_random.between(m_options.slowest, m_options.fastest);
+    m_scale = m_random.between(m_options.leastScale, m_options.mostScale);
     m_region = m_random.below(m_building->regions().size());
     m_at = spotIn(m_region);
     m_headingDeg = m_random.between(-180.0, 180.0);
@@ -451,6 +478,42 @@ SimulatedWalk Simulation::run() {
 }
 
 } // namespace
+
+WalkOptions variedWalk(std::uint64_t seed) {
+    WalkRandom random(seed * 15485863ULL + 11ULL);
+    WalkOptions o;
+    o.seed = seed;
+    o.unknownStart = 0.3;
+    o.kidnap = 0.2;
+    o.strayAtDoor = random.between(0.04, 0.16);
+    o.turnBackPerS = random.chance(0.5) ? 0.0 : random.between(0.0, 0.01);
+    o.strayMost = 1 + static_cast<int>(random.below(6));
+    o.wrongKind = random.between(0.04, 0.12);
+    o.misread = random.between(0.08, 0.25);
+    o.stale = random.between(0.02, 0.1);
+    o.falsePerS = random.between(0.01, 0.035);
+    o.clutterPerM2 = random.between(0.02, 0.06);
+    o.detectionPerS = random.between(0.15, 0.45);
+    o.neverFound = random.between(0.0, 0.25);
+    o.swayDeg = random.between(6.0, 32.0);
+    o.swayS = random.between(4.0, 14.0);
+    o.cameraOffDeg = random.chance(0.5) ? 0.0 : random.between(-15.0, 15.0);
+    o.lookPerS = random.between(0.008, 0.04);
+    o.lookDeg = random.between(50.0, 160.0);
+    o.pausePerS = random.between(0.02, 0.08);
+    o.pauseMostS = random.between(4.0, 12.0);
+    o.lostFlow = random.between(0.0, 0.15);
+    o.lostFlowS = random.between(1.0, 6.0);
+    o.turnNoiseDeg = random.between(0.5, 6.0);
+    o.turnBiasDeg = random.chance(0.5) ? 0.0 : random.between(-1.2, 1.2);
+    o.turnGain = random.between(0.88, 1.12);
+    o.speedNoise = random.between(0.05, 0.35);
+    o.leastScale = 0.3;
+    o.mostScale = 3.0;
+    o.roomScaleSigma = random.between(0.0, 0.25);
+    o.stairsShow = random.chance(0.5) ? 0.0 : random.between(0.2, 1.1);
+    return o;
+}
 
 SimulatedWalk simulateWalk(const std::shared_ptr<const building::Building>& building,
                            const WalkOptions& options) {

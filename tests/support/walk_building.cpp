@@ -302,7 +302,7 @@ void Draughtsman::turnAll() {
 
 building::BuildingData Draughtsman::draw() {
     m_data.title = "walks " + std::to_string(m_options.seed);
-    m_size = m_random.between(30.0, 100.0);
+    m_size = m_random.between(m_options.leastM, m_options.mostM);
     int levels = 1 + static_cast<int>(m_random.uniform() * 6.0);
     for (int i = 0; i < levels; ++i) {
         m_level = i;
@@ -336,6 +336,19 @@ building::BuildingData Draughtsman::draw() {
 
 building::BuildingData walkBuildingData(const WalkBuildingOptions& options) {
     return Draughtsman(options).draw();
+}
+
+building::BuildingData variedBuildingData(std::uint64_t seed) {
+    constexpr std::size_t kFewest = 35, kMost = 440;
+    WalkBuildingOptions options;
+    options.archetype = static_cast<Archetype>(seed % 4);
+    options.density = static_cast<int>((seed / 4) % 3);
+    options.mostM = 130.0;
+    for (std::uint64_t i = 0;; ++i) {
+        options.seed = seed + 1000003ULL * i;
+        building::BuildingData data = walkBuildingData(options);
+        if (data.regions.size() >= kFewest && data.regions.size() <= kMost) return data;
+    }
 }
 
 } // namespace farol::test

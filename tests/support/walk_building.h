@@ -14,8 +14,11 @@ struct WalkBuildingOptions {
     Archetype archetype = Archetype::Corridor;
     int density = 1; ///< of landmarks: 0 sparse, 1 medium, 2 dense
     std::uint64_t seed = 1;
+    double leastM = 30.0, mostM = 100.0; ///< of the plan
 };
 
 building::BuildingData walkBuildingData(const WalkBuildingOptions& options);
+/// One of 35 to 440 regions, archetypes and densities by turns.
+building::BuildingData variedBuildingData(std::uint64_t seed);
 
 } // namespace farol::test

@@ -17,6 +17,7 @@ constexpr double kStepS = 0.5; // the cloud moves on in steps no shorter, unless
 constexpr double kLongestStepS = 1.0;
 constexpr std::size_t kVotesKept = 8;
 constexpr double kLeastWeight = 1e-12;
+constexpr double kGuess = 0.5;
 constexpr double kWatchPart = 0.6; // of the weight without a walker, for those who look everywhere
 constexpr float kCertainly = 0.8F; // of what was seen: then it also tells where the camera looks
 
@@ -48,6 +49,7 @@ private:
         Kind kind;
         std::string text;
         TemplateId templateId;
+        std::optional<std::uint64_t> track;
     };
 
     void advanceTo(double time);
@@ -59,6 +61,7 @@ private:
     void normalise();
     void embody();
     Fix summary(double time);
+    std::string noteNow() const;
     void placeWithin(Fix& fix, std::uint32_t region) const;
     void addVotes(Fix& fix, const std::vector<std::uint32_t>& order) const;
     void sumMasses();
@@ -73,7 +76,9 @@ private:
     double m_meanRate = 0.0; ///< detections per second to be expected anywhere
     double m_lost = 1.0;     ///< weight of "anywhere": no walker stands for it
     double m_time = 0.0, m_evidenceTime = 0.0, m_watchSince = 0.0;
-    double m_against = 0.0; ///< log evidence that the belief is wrong
+    double m_against = 0.0;  ///< log evidence that the belief is wrong
+    bool m_grounded = false; ///< the start was told, or something on the map was recognised since
+    bool m_strange = false;  ///< what was seen last is like nothing on the map
     std::vector<Repeat> m_recent;
     std::vector<double> m_mass; ///< of each region
     std::vector<std::uint32_t> m_touched;
@@ -90,6 +95,8 @@ void BayesLocaliser::start(double time, const std::optional<RegionId>& region) {
     m_lost = 1.0;
     if (m_building->regions().empty()) return;
     auto index = region ? m_building->regionIndex(*region) : std::nullopt;
+    m_strange = false;
+    m_grounded = index.has_value();
     std::size_t all = m_cloud.capacity();
     constexpr double kAnywhere = 0.2;
     if (index) {
@@ -193,11 +200,17 @@ double BayesLocaliser::trustIn(const Observation& seen) {
     double trust = m_options.trust;
     std::erase_if(m_recent,
                   [&](const Repeat& each) { return seen.time - each.time > m_options.repeatSeconds; });
-    for (const Repeat& each : m_recent)
+    for (const Repeat& each : m_recent) {
+        // What is followed from frame to frame is known to be the same thing, or another one.
+        if (each.track && seen.track) {
+            if (*each.track == *seen.track) trust = 0.0;
+            continue;
+        }
         if (each.kind == detection.kind && each.templateId == detection.templateId &&
             shortEditDistance(each.text, text) <= 1)
-            trust = m_options.trustRepeated;
-    m_recent.push_back({seen.time, detection.kind, text, detection.templateId});
+            trust = std::min(trust, m_options.trustRepeated);
+    }
+    m_recent.push_back({seen.time, detection.kind, text, detection.templateId, seen.track});
     return trust;
 }
 
@@ -233,6 +246,9 @@ void BayesLocaliser::giveBirth(const Look& look, double mass) {
 void BayesLocaliser::weigh(const Observation& seen) {
     Look look = m_sensors.prepare(seen.detection);
     double trust = trustIn(seen), before = m_cloud.totalWeight();
+    if (trust <= 0.0) return;
+    m_strange = look.uniformRatio <= 0.0;
+    m_grounded = m_grounded || !m_strange;
     auto power = static_cast<float>(trust);
     for (Walker& walker : m_cloud.walkers()) {
         Cause cause;
@@ -306,10 +322,23 @@ Fix BayesLocaliser::summary(double time) {
     };
     fix.confidence = stated(Statement::RegionByMotion, Statement::Region, mass);
     fix.nearConfidence = stated(Statement::NearByMotion, Statement::Near, near);
+    // Where nothing was recognised yet even the only region of a map is no more than a guess.
+    if (!m_grounded && !m_options.rawConfidence) {
+        fix.confidence = std::min(fix.confidence, kGuess);
+        fix.nearConfidence = std::min(fix.nearConfidence, kGuess);
+    }
     fix.nearConfidence = std::max(fix.nearConfidence, fix.confidence);
+    fix.note = noteNow();
     placeWithin(fix, best);
     addVotes(fix, order);
     return fix;
+}
+
+std::string BayesLocaliser::noteNow() const {
+    if (m_building->landmarks().empty())
+        return "the map has no landmarks, so nothing that is seen tells where the user is";
+    if (!m_grounded) return "the start is unknown: no landmark seen yet";
+    return m_strange ? "the map has no landmark like what was seen last" : "";
 }
 
 void BayesLocaliser::placeWithin(Fix& fix, std::uint32_t region) const {
@@ -368,7 +397,8 @@ WalkingOptions WalkingOptions::obedient() {
 }
 
 Result<void> WalkingOptions::check() const {
-    bool speeds = slowest > 0.0 && slowest <= fastest && speedSpread >= 0.0;
+    bool speeds = slowest > 0.0 && slowest <= fastest && fastest <= hurrySpeed && speedSpread >= 0.0 &&
+                  hurryShare >= 0.0 && hurryShare <= 1.0;
     bool rates = stopRate >= 0.0 && goRate >= 0.0 && strayRate >= 0.0 && returnRate >= 0.0;
     bool sigmas = swaySigmaDeg > 0.0 && turnSigmaDeg >= 0.0 && unknownTurnSigmaDeg >= 0.0;
     if (speeds && rates && sigmas) return {};

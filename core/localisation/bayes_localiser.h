@@ -15,6 +15,7 @@ namespace farol::localisation {
 struct WalkingOptions {
     double speed = 0.75, speedSpread = 0.2; ///< metres a second
     double slowest = 0.35, fastest = 1.3;
+    double hurryShare = 0.04, hurrySpeed = 2.2; ///< some walkers are ready for anybody faster, up to that
     double stopRate = 0.036, goRate = 0.34;
     double followShare = 0.9;   ///< of walkers that go to the destination after it was told
     double strayRate = 0.008;   ///< leaves the way
@@ -43,7 +44,7 @@ struct BayesOptions {
     double trustRepeated = 0.35; ///< of one like another in the last `repeatSeconds`
     double repeatSeconds = 4.0;
     double missTrust = 0.33;     ///< exponent of what should have been seen and was not
-    double lostRate = 0.001;     ///< per second: carried elsewhere, unseen
+    double lostRate = 0.0006;    ///< per second: carried elsewhere, unseen
     double blindLostRate = 0.03; ///< the same while the camera gives nothing
     double watchSeconds = 15.0;  ///< how often some begin to look everywhere, apart from the belief
     double startTrust = 0.97;

@@ -2,19 +2,42 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace farol::localisation {
 
-/// The usual speed is the mean of those clearly above standing; it settles within half a minute of walking.
+namespace {
+
+constexpr double kMostTurns = 3.0, kMostSpeed = 1e6, kLeastUsual = 0.1;
+
+} // namespace
+
+/// The usual speed is the mean of those clearly above standing, of the last minute of walking; a wild
+/// one among them changes nothing for long.
 double MotionLog::paceOf(double speed) {
-    constexpr double kClearly = 0.35, kSettled = 40.0;
-    if (m_usual <= 0.0) m_usual = std::max(speed, 0.5);
-    if (speed > 2.5 * m_usual && m_walked < 3.0) m_usual = speed;
-    if (speed > kClearly * m_usual) {
-        m_walked = std::min(kSettled, m_walked + 1.0);
-        m_usual += (speed - m_usual) / m_walked;
+    constexpr double kClearly = 0.35, kOften = 0.8, kStands = 0.2, kWild = 2.5;
+    constexpr std::size_t kSettled = 60, kFew = 5, kYoung = 10;
+    // Who stood at first and walks now: what was measured before was noise.
+    if (m_usual > 0.0 && speed > kWild * m_usual && m_speeds.size() < kYoung)
+        std::erase_if(m_speeds, [&](double each) { return each < kClearly * speed; });
+    if (speed > 0.0 && (m_speeds.size() < kFew || speed >= kStands * m_usual)) {
+        m_speeds.push_back(speed);
+        if (m_speeds.size() > kSettled) m_speeds.pop_front();
     }
-    return std::min(speed / m_usual, 2.5);
+    if (m_speeds.empty()) return 0.0;
+    std::vector<double> sorted(m_speeds.begin(), m_speeds.end());
+    std::sort(sorted.begin(), sorted.end());
+    double quick = sorted[static_cast<std::size_t>(kOften * static_cast<double>(sorted.size() - 1))];
+    double sum = 0.0, count = 0.0;
+    for (double each : sorted) {
+        if (each <= kClearly * quick || each > kWild * quick) continue;
+        sum += each;
+        count += 1.0;
+    }
+    m_usual = sum / count; // `quick` itself is always among them
+    // Of the first few, all may be standing: what a walk measures at all is not known then.
+    if (sorted.size() < kFew) m_usual = std::max(m_usual, kLeastUsual);
+    return std::min(speed / m_usual, kWild);
 }
 
 void MotionLog::add(double time, const recognition::Motion& motion) {
@@ -27,11 +50,12 @@ void MotionLog::add(double time, const recognition::Motion& motion) {
         m_interval += kFollows * (seconds - m_interval);
     m_last = time;
     m_now = time;
-    if (motion.turn && std::isfinite(motion.turn->value))
+    // Nobody turns round three times between two pictures: such a number is no measurement.
+    if (motion.turn && std::abs(motion.turn->value) <= kMostTurns * 2.0 * kPi)
         m_turnDeg += toDegrees(*motion.turn);
     else
         m_unseen += std::min(seconds, m_interval);
-    if (motion.speed && std::isfinite(*motion.speed) && *motion.speed >= 0.0) m_pace = paceOf(*motion.speed);
+    if (motion.speed && *motion.speed >= 0.0 && *motion.speed <= kMostSpeed) m_pace = paceOf(*motion.speed);
     if (motion.walking == false) m_pace = 0.0;
     m_measured += m_pace * std::min(seconds, kSilenceS);
     m_ready = true;

@@ -4,6 +4,7 @@
 #include "core/localisation/walker_cloud.h"
 #include "core/recognition/detection.h"
 
+#include <deque>
 #include <optional>
 
 namespace farol::localisation {
@@ -28,9 +29,9 @@ private:
 
     std::optional<double> m_last; ///< of the last line
     double m_now = 0.0;
-    double m_pace = 1.0;   ///< last measured
-    double m_usual = 0.0;  ///< the walk's own usual speed, in the scale of the lines
-    double m_walked = 0.0; ///< seconds it rests on
+    double m_pace = 1.0;         ///< last measured
+    double m_usual = 0.0;        ///< the walk's own usual speed, in the scale of the lines
+    std::deque<double> m_speeds; ///< that it rests on
     double m_turnDeg = 0.0;
     double m_unseen = 0.0;   ///< seconds whose turn is not known
     double m_interval = 1.0; ///< usual time from line to line

@@ -411,6 +411,9 @@ Look SensorModel::prepare(const Detection& detection) const {
     }
     double falseLikelihood = m_options.falsePerSecond * falseShare(detection.kind);
     if (detection.kind == Kind::Place) falseLikelihood = kPlaceFalse;
+    // Inventions seldom last: what was seen again and again is more likely there.
+    constexpr int kMostConfirmations = 4;
+    falseLikelihood /= std::clamp(detection.confirmations, 1, kMostConfirmations);
     if (wordy(detection.kind) && !detection.text.empty()) readText(detection, look, falseLikelihood);
     if (!detection.templateId.empty()) {
         look.hasTemplate = true;

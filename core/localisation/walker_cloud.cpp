@@ -26,6 +26,8 @@ std::size_t walkersFor(std::size_t regions) {
 } // namespace
 
 float wrappedDeg(float degrees) {
+    if (!(std::abs(degrees) < 1080.0F))
+        return std::isfinite(degrees) ? std::remainder(degrees, 360.0F) : 0.0F;
     while (degrees > 180.0F) degrees -= 360.0F;
     while (degrees <= -180.0F) degrees += 360.0F;
     return degrees;
@@ -49,8 +51,12 @@ void WalkerCloud::clear(std::uint64_t seed) {
 }
 
 float WalkerCloud::drawSpeed() {
+    const WalkingOptions& walking = m_options.walking;
+    if (m_random.uniformDouble() < walking.hurryShare)
+        return static_cast<float>(walking.fastest +
+                                  (walking.hurrySpeed - walking.fastest) * m_random.uniformDouble());
     double speed = m_speed + m_speedSpread * double(m_random.normal());
-    return static_cast<float>(std::clamp(speed, m_options.walking.slowest, m_options.walking.fastest));
+    return static_cast<float>(std::clamp(speed, walking.slowest, walking.hurrySpeed));
 }
 
 void WalkerCloud::spread(std::size_t count, double weight, std::optional<std::uint32_t> region,
@@ -387,7 +393,7 @@ double WalkerCloud::advance(const MotionSpan& motion, const SensorModel& sensors
         after += double(walker.weight);
         float drift = 0.02F * std::sqrt(seconds) * m_random.normal();
         walker.speed = std::clamp(walker.speed + drift, static_cast<float>(walking.slowest),
-                                  static_cast<float>(walking.fastest));
+                                  static_cast<float>(walking.hurrySpeed));
         if (missTrust > 0.0) {
             float missed = sensors.expectedRate(walker.region, walker.at, gazeOf(walker));
             walker.weight *= std::exp(-static_cast<float>(missTrust) * missed * seconds);

@@ -81,6 +81,7 @@ void addFixFields(Json& json, const localisation::Fix& fix) {
     json["position"] = fix.position ? pointJson(fix.position->x, fix.position->y) : Json(nullptr);
     json["sigma_m"] = printedNumber(fix.sigmaM);
     json["heading_deg"] = fix.heading ? degreesJson(*fix.heading) : Json(nullptr);
+    if (fix.heading && fix.headingSigma.value > 0.0) json["heading_sigma_deg"] = degreesJson(fix.headingSigma);
     json["votes"] = Json::array();
     for (const localisation::RegionVote& vote : fix.votes) json["votes"].push_back(voteJson(vote));
 }

@@ -50,6 +50,7 @@ std::map<std::string, double*> fieldsOf(BayesOptions& o) {
             {"sigBear", &s.bearingSigmaDeg},
             {"speed", &w.speed},
             {"spread", &w.speedSpread},
+            {"hurry", &w.hurryShare},
             {"stop", &w.stopRate},
             {"go", &w.goRate},
             {"follow", &w.followShare},

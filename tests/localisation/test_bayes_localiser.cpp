@@ -335,6 +335,118 @@ TEST(BayesLocaliser, AnEmptyMapAndASingleRegionAreFine) {
     EXPECT_EQ(regionOf(fix), "A");
 }
 
+TEST(BayesLocaliser, WhatTheMapDoesNotKnowMovesNobodyAndIsTold) {
+    Person person(corridorMap().build());
+    person.start("B");
+    Fix before = person.pass(1.0), fix;
+    Observation seen;
+    seen.detection.image = {640, 480};
+    seen.detection.kind = Kind::Fountain;
+    for (int i = 0; i < 5; ++i) {
+        seen.detection.templateId = TemplateId("not in the map " + std::to_string(i));
+        fix = person.see(seen);
+    }
+    EXPECT_EQ(regionOf(fix), "B");
+    EXPECT_LE(fix.confidence, before.confidence);
+    EXPECT_FALSE(fix.note.empty());
+    person.see(Kind::Text, 1.5, -20.0, "WARD 7");
+    EXPECT_TRUE(person.pass(1.0).note.empty());
+}
+
+TEST(BayesLocaliser, NothingRecognisedIsNeverSure) {
+    AsciiMap single;
+    single.floor("+---+\n|A  |\n|  d|\n+---+");
+    single.landmark('d', {Kind::Door});
+    Person person(single.build());
+    Fix fix = person.start();
+    EXPECT_LE(fix.confidence, 0.5) << "the only region, but nobody said that the user is in the building";
+    EXPECT_LE(fix.nearConfidence, 0.5);
+    person.measures(motion(0.0, 1.0));
+    EXPECT_LE(person.pass(60.0).confidence, 0.5);
+    fix = person.see(Kind::Door, 1.5, 0.0);
+    EXPECT_GT(fix.confidence, 0.5);
+    Person bare(asciiMap("+---+---+\n|A  /B  |\n+---+---+"));
+    bare.start();
+    fix = bare.see(Kind::Door, 1.5, 0.0);
+    EXPECT_LE(fix.confidence, 0.5);
+    EXPECT_NE(fix.note.find("no landmarks"), std::string::npos);
+}
+
+TEST(BayesLocaliser, TimeThatRunsBackwardsOrJumpsIsSurvived) {
+    Person person(corridorMap().build());
+    person.start("A");
+    person.pass(20.0);
+    Observation old;
+    old.detection.kind = Kind::Text;
+    old.detection.text = "WARD 7";
+    old.detection.image = {640, 480};
+    old.time = -1e9;
+    Fix fix = person.localiser().update(1.0, std::vector{old}, {});
+    EXPECT_GE(fix.time, 20.0) << "time does not run backwards";
+    EXPECT_TRUE(std::isfinite(fix.confidence));
+    person.localiser().moved(-5.0, motion(10.0, 1.0));
+    fix = person.localiser().update(1e12, {}, {});
+    EXPECT_TRUE(std::isfinite(fix.confidence));
+    EXPECT_LT(fix.confidence, 0.8) << "after ages unseen nobody knows";
+}
+
+TEST(BayesLocaliser, WildMotionIsNoMeasurement) {
+    const double inf = std::numeric_limits<double>::infinity(),
+                 nan = std::numeric_limits<double>::quiet_NaN();
+    Person person(corridorMap().build());
+    person.headFor("D");
+    person.start("A");
+    for (double wild : {1e9, -1e300, inf, -inf, nan}) {
+        person.measures(motion(wild, wild));
+        Fix fix = person.pass(1.0);
+        EXPECT_TRUE(std::isfinite(fix.confidence)) << wild;
+        EXPECT_TRUE(!fix.position || isFinite(*fix.position)) << wild;
+    }
+    person.measures(motion(0.0, 0.8));
+    Fix before = person.pass(2.0), after = person.pass(10.0);
+    EXPECT_GT(after.position->x, before.position->x + 2.0) << "afterwards it is measured as ever";
+}
+
+TEST(BayesLocaliser, ADestinationThatVanishesIsForgotten) {
+    Person person(corridorMap().build());
+    person.start("B");
+    person.headFor("D");
+    person.pass(1.0);
+    person.headFor("gone");
+    Person wanderer(corridorMap().build());
+    wanderer.start("B");
+    wanderer.pass(1.0);
+    EXPECT_LT(person.pass(20.0).confidence, 0.8) << "no way is expected any more";
+}
+
+Observation tracked(std::uint64_t track, int confirmations, double rangeM) {
+    Observation seen;
+    seen.detection.kind = Kind::Extinguisher;
+    seen.detection.image = {640, 480};
+    seen.detection.rangeM = rangeM;
+    seen.detection.bearing = fromDegrees(0.0);
+    seen.track = track;
+    seen.detection.confirmations = seen.confirmations = confirmations;
+    return seen;
+}
+
+TEST(BayesLocaliser, OneFollowedThingCountsOnce) {
+    auto weightOfC = [](std::vector<Observation> sights) {
+        BayesOptions raw;
+        raw.rawConfidence = true;
+        Person person(corridorMap().build(), raw);
+        Fix fix = person.start();
+        for (const Observation& seen : sights) fix = person.see(seen);
+        for (const RegionVote& vote : fix.votes)
+            if (vote.region.value == "C") return vote.vote;
+        return 0.0;
+    };
+    double once = weightOfC({tracked(7, 1, 1.5)});
+    EXPECT_GT(once, 0.2) << "the only extinguisher hangs there";
+    EXPECT_NEAR(weightOfC({tracked(7, 1, 1.5), tracked(7, 2, 1.5), tracked(7, 3, 1.5)}), once, 0.02);
+    EXPECT_GT(weightOfC({tracked(7, 4, 1.5)}), once + 0.02) << "confirmed, it is less likely an invention";
+}
+
 TEST(BayesOptions, AreChecked) {
     EXPECT_TRUE(BayesOptions{}.check().ok());
     BayesOptions bad;

@@ -43,7 +43,7 @@ struct BayesOptions {
     double trust = 0.8;          ///< exponent of a detection's likelihood ratio
     double trustRepeated = 0.35; ///< of one like another in the last `repeatSeconds`
     double repeatSeconds = 4.0;
-    double missTrust = 0.33;     ///< exponent of what should have been seen and was not
+    double missTrust = 0.5;      ///< exponent of what should have been seen and was not
     double lostRate = 0.0006;    ///< per second: carried elsewhere, unseen
     double blindLostRate = 0.03; ///< the same while the camera gives nothing
     double watchSeconds = 15.0;  ///< how often some begin to look everywhere, apart from the belief

@@ -1,6 +1,7 @@
 #include "core/localisation/sensor_model.h"
 
 #include "core/base/text.h"
+#include "core/localisation/quick_math.h"
 
 #include <algorithm>
 #include <cmath>
@@ -110,7 +111,7 @@ float wrapDeg(float a) {
 }
 
 float normalDensity(float x, float variance) {
-    return std::exp(-0.5F * x * x / variance) * 0.39894228F / std::sqrt(variance);
+    return quickExp(-0.5F * x * x / variance) * 0.39894228F / std::sqrt(variance);
 }
 
 /// How well an object is seen from a distance.
@@ -319,7 +320,7 @@ float SensorModel::likelihoodOf(const Look& look, const Geometry& geometry, cons
         likelihood *= normalDensity(off, look.rangeVariance + beside * beside);
     }
     float sway = kRadToDeg * 0.7F * spread / std::max(geometry.range, 0.7F);
-    float direction = std::atan2(geometry.dy, geometry.dx) * kRadToDeg;
+    float direction = quickDirectionDeg(geometry.dx, geometry.dy);
     float variance = gaze.variance + sway * sway + look.bearingVariance;
     if (look.hasBearing) {
         float off = wrapDeg(direction - look.bearingDeg - gaze.yawDeg);
@@ -335,7 +336,7 @@ float SensorModel::likelihoodOf(const Look& look, const Geometry& geometry, cons
 Cause SensorModel::causeOf(const Look& look, const Geometry& geometry, const Gaze& gaze, float part) const {
     auto spread = static_cast<float>(m_options.positionSigmaM);
     float sway = kRadToDeg * 0.7F * spread / std::max(geometry.range, 0.7F);
-    float direction = std::atan2(geometry.dy, geometry.dx) * kRadToDeg;
+    float direction = quickDirectionDeg(geometry.dx, geometry.dy);
     return {part, wrapDeg(direction - look.bearingDeg - gaze.yawDeg), sway * sway + look.bearingVariance};
 }
 
@@ -360,15 +361,14 @@ float SensorModel::ratio(const Look& look, std::uint32_t region, Spot at, const 
 }
 
 float SensorModel::expectedRate(std::uint32_t region, Spot at, const Gaze& gaze) const {
-    float sum = 0.0F;
+    float sum = 0.0F, steep = 1.7F / (std::sqrt(gaze.variance) + 1.0F);
     for (const View& view : viewsNear(region, at)) {
         const Item& item = m_items[view.item];
         Geometry geometry;
         if (item.kind == indexOf(Kind::Place) || !geometryOf(item, view, at, geometry)) continue;
-        float off = wrapDeg(std::atan2(geometry.dy, geometry.dx) * kRadToDeg - gaze.yawDeg);
+        float off = wrapDeg(quickDirectionDeg(geometry.dx, geometry.dy) - gaze.yawDeg);
         // Close enough to the share of a normal distribution within the picture, and much cheaper.
-        float width = std::sqrt(gaze.variance) + 1.0F;
-        float inView = 1.0F / (1.0F + std::exp(1.7F * (std::abs(off) - kHalfViewDeg) / width));
+        float inView = 1.0F / (1.0F + quickExp(steep * (std::abs(off) - kHalfViewDeg)));
         inView = (1.0F - gaze.unknownShare) * inView + gaze.unknownShare * 2.0F * kHalfViewDeg / 360.0F;
         auto rate =
             static_cast<float>(m_options.detectionsPerSecond * prominence(static_cast<Kind>(item.kind)));

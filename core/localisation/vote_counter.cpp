@@ -131,8 +131,9 @@ VoteCounter::Tally VoteCounter::tally(const Situation& situation, const std::deq
     result.nobj =
         m_options.unmappedObjectsCount ? static_cast<int>(result.items.size()) : std::popcount(result.mapped);
     result.reference = lastDetected(result, freshCount);
-    result.levelWeight =
-        m_severalLevels && situation.known() && !m_building->nearLevelChange(*situation.lastRegion);
+    result.levelWeight = m_severalLevels && situation.known();
+    if (m_options.levelWeightAtStairs) return result;
+    if (situation.known() && m_building->nearLevelChange(*situation.lastRegion)) result.levelWeight = false;
     for (std::size_t i = result.items.size() - std::min(freshCount, result.items.size());
          i < result.items.size(); ++i) {
         if (isLevelChange(result.items[i]->detection.kind)) result.levelWeight = false;
@@ -302,6 +303,8 @@ std::vector<Ballot> VoteCounter::count(const Situation& situation, const std::de
         // Rounded, so that sums in another order still tie.
         long long voteA = std::llround(a.vreg / kTie), voteB = std::llround(b.vreg / kTie);
         if (voteA != voteB) return voteA > voteB;
+        if (!m_options.tiesByRoute)
+            return m_building->regions()[a.region].id < m_building->regions()[b.region].id;
         bool currentA = a.region == situation.lastRegion, currentB = b.region == situation.lastRegion;
         if (currentA != currentB) return currentA;
         auto rankA = routeRank(a.region), rankB = routeRank(b.region);

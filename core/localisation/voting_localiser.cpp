@@ -235,7 +235,7 @@ void VotingLocaliser::placeAt(const Ballot& winner) {
     m_fix.sigmaM = 0.0;
     m_fix.landmark = {};
     m_situation.position.reset();
-    if (!winner.bestObject || !winner.bestUnique) return;
+    if (!winner.bestObject || (m_options.positionNeedsUnique && !winner.bestUnique)) return;
     const building::Landmark& object = m_building->landmarks()[*winner.bestObject];
     if (!isFinite(object.position)) return;
     m_fix.position = m_situation.position = object.position;

@@ -11,7 +11,12 @@ namespace farol::localisation {
 enum class NeighbourRule { Accesses, AccessesAndWalls };
 enum class NeighbourCount { UnionOfNeighbours, BestNeighbour };
 
-/// Defaults are the repaired reading. "Ours" marks what stands nowhere in the paper.
+/// Defaults are the repaired reading. "Ours" marks what stands nowhere in the paper. The readings of
+/// localisation.md section 2 by their numbers: 1 neighbours, 2 nv, 3 eachLandmarkOnce, 4 stayCounts,
+/// 5 clampNeighbourWeight, 6 directionUnknownIsOne, 7 directionFromRegion and componentDeadBandM, 8 Pdir = 1
+/// + the equal components (one reading only), 9 levelWeightAtStairs, 10 lostWithoutObject, 11 pid and
+/// sameSceneRadiusM, 12 pperc and percNeedsObject, 13 tiesByRoute, 14 textTolerance, 15 positionNeedsUnique,
+/// 16 minimumObjects, 17 HistoryOptions::capacity, 18 guidance::clockHour().
 struct VotingOptions {
     NeighbourRule neighbours = NeighbourRule::Accesses;
     NeighbourCount nv = NeighbourCount::UnionOfNeighbours;
@@ -19,8 +24,12 @@ struct VotingOptions {
     bool clampNeighbourWeight = true;  ///< Preg-1 not below 0
     bool stayCounts = true;            ///< Ppos also for the last known region itself
     bool directionUnknownIsOne = true; ///< Pdir of every object while no displacement is known: 1, else 0
-    bool directionFromRegion = true; ///< displacement from the region's centre when only the region is known
-    bool lostWithoutObject = true;   ///< winner holds no history object: position unknown
+    bool directionFromRegion = true;  ///< displacement from the region's centre when only the region is known
+    bool levelWeightAtStairs = false; ///< Pf also beside stairs and lifts, and when these were seen last
+    bool tiesByRoute =
+        true; ///< equal votes: the current region, then the earlier on the route; else the lowest id
+    bool positionNeedsUnique = true;   ///< no position where another object of the region weighs as much
+    bool lostWithoutObject = true;     ///< winner holds no history object: position unknown
     bool unmappedObjectsCount = false; ///< objects that no landmark of the map can be identical to enter Nobj
     bool percNeedsObject =
         false; ///< Pperc only for regions of the route that hold an object identical to the last

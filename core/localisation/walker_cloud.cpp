@@ -1,5 +1,7 @@
 #include "core/localisation/walker_cloud.h"
 
+#include "core/localisation/quick_math.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -16,11 +18,11 @@ constexpr float kGraceS = 1.2F;
 constexpr float kNeutral = 0.6F; // what the right guess gets in the mean where turns tell something
 
 float directionDeg(Spot from, Spot to) {
-    return std::atan2(to.y - from.y, to.x - from.x) * kRadToDeg;
+    return quickDirectionDeg(to.x - from.x, to.y - from.y);
 }
 
 std::size_t walkersFor(std::size_t regions) {
-    return std::clamp<std::size_t>(600 + 10 * regions, 1000, 4200);
+    return std::clamp<std::size_t>(500 + 9 * regions, 900, 3000);
 }
 
 } // namespace
@@ -316,7 +318,7 @@ float WalkerCloud::settle(Walker& walker) {
     auto away = static_cast<float>(walking.looksAway);
     float off = wrappedDeg(walker.yawDeg - walker.headingDeg), variance = walker.yawVariance + sway;
     float likely =
-        away * std::sqrt(variance) / 143.62F + (1.0F - away) * std::exp(-0.5F * off * off / variance);
+        away * std::sqrt(variance) / 143.62F + (1.0F - away) * quickExp(-0.5F * off * off / variance);
     if (std::abs(off) < 75.0F) {
         float kept = sway / variance;
         walker.yawDeg = wrappedDeg(walker.headingDeg + kept * off);
@@ -350,7 +352,7 @@ float WalkerCloud::turn(Walker& walker, const MotionSpan& motion, bool moving) {
     float variance = (1.0F - stays) * (1.0F - stays) * p + jitter + noise;
     float surprise = wrappedDeg(motion.turnDeg - (stays - 1.0F) * off);
     auto away = static_cast<float>(walking.looksAway);
-    float fits = (1.0F - away) * std::exp(-0.5F * surprise * surprise / variance);
+    float fits = (1.0F - away) * quickExp(-0.5F * surprise * surprise / variance);
     float jumps = away * std::sqrt(variance) / 71.8F;
     if (fits < jumps) {
         walker.yawDeg = wrappedDeg(walker.yawDeg + motion.turnDeg);
@@ -396,7 +398,7 @@ double WalkerCloud::advance(const MotionSpan& motion, const SensorModel& sensors
                                   static_cast<float>(walking.hurrySpeed));
         if (missTrust > 0.0) {
             float missed = sensors.expectedRate(walker.region, walker.at, gazeOf(walker));
-            walker.weight *= std::exp(-static_cast<float>(missTrust) * missed * seconds);
+            walker.weight *= quickExp(-static_cast<float>(missTrust) * missed * seconds);
         }
     }
     return before > 0.0 && after > 0.0 ? after / before : 1.0;
@@ -485,13 +487,13 @@ void WalkerCloud::renew() {
 /// The unlikely are drawn oftener than their weight asks for, and keep a smaller one: so the second best
 /// guess, needed when the first fails, is not forgotten.
 void WalkerCloud::renew(std::size_t first, std::size_t last, std::size_t capacity) {
-    constexpr double kEvenness = 0.6;
+    constexpr float kEvenness = 0.6F;
     double sum = 0.0, total = 0.0, kept = 0.0;
     for (std::size_t i = first; i < last; ++i) sum += double(m_sorted[i].weight);
     if (!(sum > 0.0)) return;
     m_sums.resize(last - first);
     for (std::size_t i = first; i < last; ++i) {
-        total += std::pow(double(m_sorted[i].weight) / sum, kEvenness);
+        total += double(std::pow(static_cast<float>(double(m_sorted[i].weight) / sum), kEvenness));
         m_sums[i - first] = total;
     }
     std::size_t begun = m_walkers.size();

@@ -98,6 +98,15 @@ TEST(VoteTerms, NoLevelWeightWhenStairsAreSeen) {
     EXPECT_DOUBLE_EQ(termsOf(fix, "B").at("Pf"), 0.0);
 }
 
+TEST(VoteTerms, LevelWeightAtStairsIsAnOption) {
+    VotingOptions always;
+    always.levelWeightAtStairs = true;
+    Walk walk(twoLevels(), always);
+    walk.start("D"); // adjoins the stairwell
+    Fix fix = walk.see({seen(Kind::Extinguisher), seen(Kind::Stairs, {}, {}, {400, 100, 100, 200})});
+    EXPECT_DOUBLE_EQ(termsOf(fix, "B").at("Pf"), 3.0);
+}
+
 TEST(VoteTerms, NoLevelWeightFromAnUnknownStart) {
     Walk walk(twoLevels());
     walk.start();
@@ -363,13 +372,14 @@ TEST(VoteFormula, TheGreatestVoteIsReachedWithEveryBonus) {
     EXPECT_DOUBLE_EQ(b.at("Vreg"), 11.5);
 }
 
-TEST(VoteFormula, AllTermsStayWithinTheirBounds) {
+/// 1 <= Pobj <= 6, 0 <= Preg <= 11.5, and no vote beyond -1 to 11.5, whichever way the paper is read.
+void staysWithinBounds(const VotingOptions& options) {
     const std::vector<Kind> kinds{Kind::Extinguisher, Kind::Fountain, Kind::Stairs, Kind::Poster};
     std::mt19937 random(7);
     auto pick = [&](std::size_t n) { return static_cast<std::size_t>(random() % n); };
     auto map = twoLevels();
     for (int run = 0; run < 60; ++run) {
-        Walk walk(map);
+        Walk walk(map, options);
         walk.start(pick(3) == 0 ? "" : map->regions()[pick(map->regions().size())].id.value);
         RouteContext route;
         route.regions = {map->regions()[pick(10)].id, map->regions()[pick(10)].id};
@@ -385,12 +395,41 @@ TEST(VoteFormula, AllTermsStayWithinTheirBounds) {
                 }
                 EXPECT_GE(terms.at("Preg"), 0.0);
                 EXPECT_LE(terms.at("Preg"), 11.5);
-                EXPECT_GE(vote.vote, 0.0);
+                EXPECT_GE(vote.vote, options.clampNeighbourWeight ? 0.0 : -1.0);
                 EXPECT_LE(vote.vote, 11.5);
                 EXPECT_LE(terms.at("Np") + terms.at("Nv"), terms.at("Nobj"));
             }
         }
     }
+}
+
+TEST(VoteFormula, AllTermsStayWithinTheirBounds) {
+    staysWithinBounds(VotingOptions::repaired());
+    staysWithinBounds(VotingOptions::literal());
+}
+
+TEST(VotingPresets, AreTheReadingsAsTabled) {
+    VotingOptions printed = VotingOptions::literal(), mended = VotingOptions::repaired();
+    for (const VotingOptions& each : {printed, mended}) {
+        EXPECT_EQ(each.neighbours, NeighbourRule::Accesses);
+        EXPECT_EQ(each.nv, NeighbourCount::UnionOfNeighbours);
+        EXPECT_TRUE(each.eachLandmarkOnce && each.directionUnknownIsOne && each.directionFromRegion);
+        EXPECT_TRUE(each.lostWithoutObject && each.tiesByRoute && each.positionNeedsUnique);
+        EXPECT_FALSE(each.levelWeightAtStairs || each.percNeedsObject);
+        EXPECT_DOUBLE_EQ(each.componentDeadBandM, 0.5);
+        EXPECT_DOUBLE_EQ(each.sameSceneRadiusM, 1.0);
+        EXPECT_EQ(each.textTolerance, 0);
+        EXPECT_EQ(each.minimumObjects, 1);
+        EXPECT_DOUBLE_EQ(each.pf, 3.0);
+        EXPECT_DOUBLE_EQ(each.ppos, 2.0);
+        EXPECT_DOUBLE_EQ(each.pperc, 1.5);
+        EXPECT_DOUBLE_EQ(each.pid, 2.0);
+    }
+    EXPECT_FALSE(printed.stayCounts || printed.clampNeighbourWeight);
+    EXPECT_TRUE(printed.unmappedObjectsCount && printed.alwaysAnswers);
+    EXPECT_TRUE(mended.stayCounts && mended.clampNeighbourWeight);
+    EXPECT_FALSE(mended.unmappedObjectsCount || mended.alwaysAnswers);
+    EXPECT_EQ(HistoryOptions{}.capacity, 4U);
 }
 
 } // namespace

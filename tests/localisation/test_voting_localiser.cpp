@@ -148,6 +148,11 @@ TEST(VotingLocaliser, TwinObjectsInTheRegionGiveNoPosition) {
     EXPECT_EQ(regionOf(fix), "A");
     EXPECT_FALSE(fix.position.has_value());
     EXPECT_EQ(fix.sigmaM, 0.0);
+    VotingOptions any;
+    any.positionNeedsUnique = false;
+    Walk either(map, any);
+    either.start("A");
+    EXPECT_TRUE(either.see(seen(Kind::Door)).position.has_value());
 }
 
 TEST(VotingLocaliser, KnownStartHoldsBeforeAnythingIsSeen) {
@@ -218,6 +223,15 @@ TEST(VotingLocaliser, TiesReadLiterallyGoToTheRouteThenTheLowestId) {
     onRoute.start();
     onRoute.localiser->setRoute(routeOf({"D", "C"}));
     EXPECT_EQ(regionOf(onRoute.see(seen(Kind::Door))), "D");
+    Walk byId(corridor(), [] {
+        VotingOptions options = VotingOptions::literal();
+        options.pperc = 0.0;
+        options.tiesByRoute = false;
+        return options;
+    }());
+    byId.start();
+    byId.localiser->setRoute(routeOf({"D", "C"}));
+    EXPECT_EQ(regionOf(byId.see(seen(Kind::Door))), "B");
 }
 
 TEST(VotingLocaliser, LostWhenTheWinnerHoldsNothingThatWasSeen) {

@@ -97,10 +97,14 @@ bool readSettings(const std::string& text, BayesOptions& options) {
     return true;
 }
 
+bool allUnknown = false; ///< --unknown: no start is told
+
 test::SimulatedWalk simulated(std::size_t seed, std::size_t which,
                               std::shared_ptr<const building::Building>& building) {
     if (which == 0) building = std::make_shared<building::Building>(test::variedBuildingData(seed));
-    return test::simulateWalk(building, test::variedWalk(seed * 10 + which));
+    test::WalkOptions options = test::variedWalk(seed * 10 + which);
+    if (allUnknown) options.unknownStart = 1.0;
+    return test::simulateWalk(building, options);
 }
 
 LoggedWalk madeWalk(std::size_t seed, std::size_t which,
@@ -277,11 +281,12 @@ int main(int argc, char** argv) {
     Arguments arguments;
     for (int i = 1; i < argc; ++i) {
         std::string name = argv[i], value = i + 1 < argc ? argv[i + 1] : "";
-        bool& flag = name == "--speed"  ? arguments.speed
-                     : name == "--each" ? arguments.each
-                                        : arguments.trace;
-        if (name == "--speed" || name == "--each" || name == "--trace") {
-            flag = true;
+        std::map<std::string, bool*> flags{{"--speed", &arguments.speed},
+                                           {"--each", &arguments.each},
+                                           {"--trace", &arguments.trace},
+                                           {"--unknown", &allUnknown}};
+        if (auto flag = flags.find(name); flag != flags.end()) {
+            *flag->second = true;
             continue;
         }
         ++i;

@@ -94,6 +94,7 @@ void WalkingMap::measureRegions() {
     const auto& regions = m_building->regions();
     m_bent.assign(regions.size(), 0);
     m_middles.resize(regions.size());
+    m_frames.resize(regions.size());
     m_weightsUpTo.resize(regions.size());
     double total = 0.0;
     for (std::size_t r = 0; r < regions.size(); ++r) {
@@ -101,6 +102,10 @@ void WalkingMap::measureRegions() {
         auto box = boundingBox(region.polygon.outer);
         if (box && isFinite(box->low) && isFinite(box->high) && region.polygon.outer.size() >= 3) {
             m_middles[r] = local(pointInside(region.polygon));
+            const Ring& ring = region.polygon.outer;
+            if (ring.size() == 4)
+                m_frames[r] =
+                    frameOf(region.polygon, local(ring[0]), local(ring[1]), local(ring[2]), local(ring[3]));
             double size = area(region.polygon), hull = hullArea(region.polygon.outer);
             m_bent[r] = size < kConvexShare * hull ? 1 : 0;
             double half = length(region.polygon.outer) / 2.0;
@@ -213,21 +218,46 @@ bool WalkingMap::nodesSee(std::uint32_t region, std::size_t i, std::size_t j) {
     return known != 0;
 }
 
+WalkingMap::Frame WalkingMap::frameOf(const Polygon& polygon, Spot first, Spot second, Spot third,
+                                      Spot fourth) {
+    constexpr float kStraightM = 0.05F, kLeastM2 = 0.01F;
+    Frame frame{
+        first, {second.x - first.x, second.y - first.y}, {fourth.x - first.x, fourth.y - first.y}, 0.0F};
+    Spot across{second.x + frame.b.x, second.y + frame.b.y};
+    float size = frame.a.x * frame.b.y - frame.a.y * frame.b.x;
+    bool fits = polygon.holes.empty() && gapBetween(across, third) < kStraightM && std::abs(size) > kLeastM2;
+    if (fits) frame.inverse = 1.0F / size;
+    return frame;
+}
+
 bool WalkingMap::inside(std::uint32_t region, Spot s) const {
-    return contains(m_building->regions()[region].polygon, global(s));
+    const Frame& frame = m_frames[region];
+    if (frame.inverse == 0.0F) return contains(m_building->regions()[region].polygon, global(s));
+    float dx = s.x - frame.corner.x, dy = s.y - frame.corner.y;
+    float u = (dx * frame.b.y - dy * frame.b.x) * frame.inverse;
+    float v = (frame.a.x * dy - frame.a.y * dx) * frame.inverse;
+    return u >= 0.0F && u <= 1.0F && v >= 0.0F && v <= 1.0F;
 }
 
 Spot WalkingMap::spotIn(std::uint32_t region, float u, float v) const {
+    const Frame& frame = m_frames[region];
+    if (frame.inverse != 0.0F)
+        return {frame.corner.x + u * frame.a.x + v * frame.b.x,
+                frame.corner.y + u * frame.a.y + v * frame.b.y};
     auto box = boundingBox(m_building->regions()[region].polygon.outer);
     if (!box) return m_middles[region];
     Spot low = local(box->low), high = local(box->high);
-    Spot spot{low.x + u * (high.x - low.x), low.y + v * (high.y - low.y)};
-    // A turned or bent region fills a part of its box only: pull towards the middle until inside.
-    for (int i = 0; i < 5 && !inside(region, spot); ++i) {
-        spot.x += 0.35F * (m_middles[region].x - spot.x);
-        spot.y += 0.35F * (m_middles[region].y - spot.y);
+    constexpr int kTries = 8;
+    for (int i = 0; i < kTries; ++i) {
+        Spot spot{low.x + u * (high.x - low.x), low.y + v * (high.y - low.y)};
+        if (inside(region, spot)) return spot;
+        // Steps that fill a square evenly.
+        u += 0.7548777F;
+        v += 0.5698403F;
+        u -= std::floor(u);
+        v -= std::floor(v);
     }
-    return spot;
+    return m_middles[region];
 }
 
 double WalkingMap::weightOf(std::uint32_t region) const {

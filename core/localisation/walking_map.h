@@ -71,6 +71,13 @@ public:
     bool leadsOn(std::uint32_t node) const;
 
 private:
+    /// Most regions are rectangles, if turned: points in them are found and tested without their outline.
+    struct Frame {
+        Spot corner, a, b;
+        float inverse = 0.0F; ///< 1 / (a x b); 0: no such shape
+    };
+
+    static Frame frameOf(const Polygon& polygon, Spot first, Spot second, Spot third, Spot fourth);
     void addAccess(const building::Access& access, std::uint32_t a, std::uint32_t b);
     void addCorners(std::uint32_t region);
     void indexNodes();
@@ -83,6 +90,7 @@ private:
     std::vector<char> m_bent;
     std::unordered_map<std::uint32_t, std::vector<char>> m_sights; ///< node sees node, of bent regions
     std::vector<Spot> m_middles;
+    std::vector<Frame> m_frames; ///< of each region
     std::vector<double> m_weightsUpTo;
     std::vector<float> m_toGoal;
     std::uint32_t m_goalRegion = kNoRegion;

@@ -1,6 +1,7 @@
 // The workstation.
 
 #include "app/farol/dark_palette.h"
+#include "app/farol/kiosk_program.h"
 #include "app/farol/options.h"
 #include "app/farol/screenshot.h"
 #include "ui/main_window/main_window.h"
@@ -11,6 +12,7 @@
 #include <QTimer>
 
 int main(int argc, char** argv) {
+    if (farol::wantsKeeping(argc, argv)) return farol::keepKioskRunning(argc, argv);
     QApplication application(argc, argv);
     QApplication::setApplicationName(QStringLiteral("farol"));
     QApplication::setApplicationDisplayName(QStringLiteral("Farol"));
@@ -21,6 +23,7 @@ int main(int argc, char** argv) {
         QStringLiteral("Fusion")); // the same look, and a palette that dark desktops can set
     const farol::Options options = farol::optionsFrom(QApplication::arguments());
 
+    if (options.kiosk) return farol::runKiosk(options);
     if (options.dark) QApplication::setPalette(farol::darkPalette());
 
     // A picture or a self-test neither follows nor changes what the user has set.

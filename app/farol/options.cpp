@@ -74,6 +74,8 @@ Options optionsFrom(const QStringList& arguments) {
     const auto after = value("after", "pictures", "Pictures shown before the screenshot (10)");
     const auto size = value("size", "WxH", "Size of the window");
     const auto selfTest = flag("self-test", "Start, load, quit");
+    const auto kiosk = flag("kiosk", "For a blind user: full screen, by keys and speech alone");
+    const auto watched = flag("watched", "The kiosk without the process that starts it again after a crash");
     parser.addHelpOption();
     parser.addVersionOption();
     parser.setOptionsAfterPositionalArgumentsMode(QCommandLineParser::ParseAsOptions);
@@ -100,6 +102,8 @@ Options optionsFrom(const QStringList& arguments) {
     options.dark = parser.isSet(dark);
     options.alike = parser.isSet(alike);
     options.selfTest = parser.isSet(selfTest);
+    options.kiosk = parser.isSet(kiosk);
+    options.watched = parser.isSet(watched);
     return options;
 }
 

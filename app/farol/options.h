@@ -22,6 +22,8 @@ struct Options {
     bool dark = false;
     bool alike = false; ///< mark the places that look alike
     bool selfTest = false;
+    bool kiosk = false;   ///< for a blind user: full screen, keys and speech alone
+    bool watched = false; ///< the kiosk itself, which another process starts again after a crash
 };
 
 /// Ends the program for --help, --version (0) and wrong usage (2).

@@ -31,7 +31,7 @@ UI = {
     "live": {"convert", "speech", "settings", "models", "map", "parts"},
     "training": {"convert", "speech", "settings", "models", "map", "parts"},
     "curation": {"convert", "speech", "settings", "models", "map", "parts"},
-    "kiosk": {"convert", "speech", "settings", "models", "map", "parts"},
+    "kiosk": {"convert", "speech", "settings", "models", "map", "parts", "live"},
     "main_window": {"convert", "speech", "settings", "models", "map", "parts", "live", "training", "curation", "kiosk"},
 }
 # Words are made from guidance's cues alone: the Phrasebook must not see sessions or pictures.

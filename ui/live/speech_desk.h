@@ -23,6 +23,7 @@ public:
     ~SpeechDesk() override;
 
     void add(const guidance::Cue& cue);
+    void say(const QString& text); ///< the program's own words, at once
     void setNow(double time, const std::optional<RegionId>& region, std::uint64_t routeVersion);
     void repeatLast();
     void reset(); ///< a new walk: nothing of the old one is said any more

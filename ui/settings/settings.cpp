@@ -15,6 +15,8 @@ constexpr int kRecentItems = 8;
 const QString kLanguage = QStringLiteral("words/language");
 const QString kDirections = QStringLiteral("words/direction-style");
 const QString kVerbosity = QStringLiteral("words/verbosity");
+const QString kUnit = QStringLiteral("words/distance-unit");
+const QString kTwoKeys = QStringLiteral("kiosk/two-keys");
 const QString kEngine = QStringLiteral("voice/engine");
 const QString kVoice = QStringLiteral("voice/name");
 const QString kRate = QStringLiteral("voice/rate");
@@ -31,6 +33,7 @@ const QStringList kDirectionNames{QStringLiteral("left-right"), QStringLiteral("
                                   QStringLiteral("degrees")};
 const QStringList kVerbosityNames{QStringLiteral("directions"), QStringLiteral("objects"),
                                   QStringLiteral("objects-and-texts")};
+const QStringList kUnitNames{QStringLiteral("metres"), QStringLiteral("feet"), QStringLiteral("steps")};
 
 QString recentKey(RecentKind kind) {
     switch (kind) {
@@ -113,6 +116,22 @@ DirectionStyle Settings::directionStyle() const {
 
 void Settings::setDirectionStyle(DirectionStyle style) {
     if (store(kDirections, kDirectionNames.at(static_cast<int>(style)))) Q_EMIT guidanceChanged();
+}
+
+DistanceUnit Settings::unit() const {
+    return choiceIn(*m_store, kUnit, kUnitNames, DistanceUnit::Metres);
+}
+
+void Settings::setUnit(DistanceUnit unit) {
+    if (store(kUnit, kUnitNames.at(static_cast<int>(unit)))) Q_EMIT guidanceChanged();
+}
+
+bool Settings::twoKeys() const {
+    return m_store->value(kTwoKeys, false).toBool();
+}
+
+void Settings::setTwoKeys(bool twoKeys) {
+    store(kTwoKeys, twoKeys);
 }
 
 guidance::Verbosity Settings::verbosity() const {

@@ -34,8 +34,14 @@ public:
     void setMuted(bool muted);
     DirectionStyle directionStyle() const;
     void setDirectionStyle(DirectionStyle style);
+    DistanceUnit unit() const;
+    void setUnit(DistanceUnit unit);
     guidance::Verbosity verbosity() const;
     void setVerbosity(guidance::Verbosity verbosity);
+
+    /// The kiosk is used with two keys: one goes through the choices, the other takes one.
+    bool twoKeys() const;
+    void setTwoKeys(bool twoKeys);
 
     bool followLevel() const;
     void setFollowLevel(bool follow);
@@ -63,7 +69,7 @@ Q_SIGNALS:
     void languageChanged();
     void voiceChanged();
     void mutedChanged(bool muted);
-    void guidanceChanged(); ///< direction style or verbosity
+    void guidanceChanged(); ///< direction style, unit or verbosity
     void displayChanged();  ///< grid, rejected candidates, following
     void recentChanged();
 

@@ -53,8 +53,8 @@ QString Phrasebook::routeStart(const Cue& cue) const {
     QStringList sentences;
     sentences << (destination.isEmpty() ? tr("I have found the way.")
                                         : tr("Destination: %1.").arg(destination));
-    const int metres = cue.sure ? spoken::metres(cue.distanceM) : 0;
-    if (metres > 0) sentences << tr("About %n metre(s).", "length of the route", metres);
+    const int count = cue.sure ? counted(cue.distanceM) : 0;
+    if (count > 0) sentences << length(count);
 
     // "Start" is nothing to do in itself: the manoeuvre behind it is the first one.
     Cue first = cue;
@@ -83,14 +83,14 @@ QString Phrasebook::prepare(const Cue& cue) const {
     const QString opener = metres > 0 ? tr("In about %n metre(s)", "then what is there", metres)
                            : cue.sure ? tr("Soon")
                                       : tr("Soon, probably");
-    return spoken::joined({facing(cue), announced(cue, opener, *cue.manoeuvre)});
+    const QString distance = metres > 0 ? ahead(counted(cue.distanceM)) : opener;
+    return spoken::joined({facing(cue), announced(cue, distance, *cue.manoeuvre)});
 }
 
 QString Phrasebook::reassure(const Cue& cue) const {
     if (!cue.sure) return tr("Keep moving forward. You are probably on the right way.");
-    const int metres = spoken::metres(cue.distanceM);
-    return metres > 0 ? tr("Keep moving forward for about %n metre(s).", nullptr, metres)
-                      : tr("Keep moving forward.");
+    const int count = counted(cue.distanceM);
+    return count > 0 ? keepMoving(count) : tr("Keep moving forward.");
 }
 
 QString Phrasebook::lookAround(guidance::SweepStep step) {

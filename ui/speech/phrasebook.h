@@ -11,6 +11,9 @@ namespace farol::ui {
 /// How turns and directions are said (Wayfindr: the user chooses). Default for turns: left and right.
 enum class DirectionStyle { LeftRight, Clock, Degrees };
 
+/// How distances are said. A step is one of 0.7 m.
+enum class DistanceUnit { Metres, Feet, Steps };
+
 /// Text in the language of the installed translators (see installTranslation). Imperative, short, hedged
 /// where the cue is not sure; never a metre figure the cue does not carry.
 class Phrasebook {
@@ -27,6 +30,7 @@ public:
     QString turnWords(Radians turn) const;
     void setStyle(DirectionStyle style) { m_style = style; }
     DirectionStyle style() const { return m_style; }
+    void setUnit(DistanceUnit unit) { m_unit = unit; }
 
 private:
     using Manoeuvre = routing::Manoeuvre;
@@ -80,6 +84,13 @@ private:
     QString warning(const guidance::Cue& cue) const;
 
     DirectionStyle m_style;
+    DistanceUnit m_unit = DistanceUnit::Metres;
+
+    /// A distance as it is said: coarser the farther it is. 0 when there is nothing to say.
+    int counted(const std::optional<double>& distanceM) const;
+    QString length(int count) const;     ///< "About 20 metres."
+    QString ahead(int count) const;      ///< "In about 20 metres", then what is there
+    QString keepMoving(int count) const; ///< "Keep moving forward for about 20 metres."
 };
 
 /// Installs farol_<language>.qm (and Qt's own, where it is installed) for the whole program: "en", "pt", or a

@@ -46,17 +46,34 @@ bool sameManoeuvre(const Cue& a, const Cue& b) {
 } // namespace
 
 SpeechQueue::SpeechQueue(SpeechOutput& output, Phrasebook& phrasebook, QObject* parent)
-    : QObject(parent), m_output(output), m_phrasebook(phrasebook) {
+    : QObject(parent), m_output(&output), m_phrasebook(phrasebook) {
     m_gap.setSingleShot(true);
     m_gap.setInterval(kDefaultGapMs);
     connect(&m_gap, &QTimer::timeout, this, &SpeechQueue::speakNext);
-    connect(&m_output, &SpeechOutput::finished, this, [this] {
+    connectOutput();
+}
+
+void SpeechQueue::connectOutput() {
+    connect(m_output, &SpeechOutput::finished, this, [this] {
         if (!m_current) return;
         m_trouble.clear();
         finish(UtteranceState::Spoken);
         pauseThenNext();
     });
-    connect(&m_output, &SpeechOutput::failed, this, &SpeechQueue::outputFailed);
+    connect(m_output, &SpeechOutput::failed, this, &SpeechQueue::outputFailed);
+}
+
+void SpeechQueue::useOutput(SpeechOutput& output) {
+    m_output->disconnect(this);
+    m_output->stop();
+    m_output = &output;
+    connectOutput();
+    m_trouble.clear();
+    if (!m_current) return;
+    const Utterance again = *m_current;
+    finish(UtteranceState::Interrupted);
+    if (!stale(again.cue)) enqueue(again);
+    speakNext();
 }
 
 bool SpeechQueue::stale(const Cue& cue) const {
@@ -130,7 +147,7 @@ void SpeechQueue::interruptFor(const Cue& cue) {
     finish(UtteranceState::Interrupted);
     if (again && !stale(again->cue)) enqueue(std::move(*again));
     speakNext();
-    if (!m_current) m_output.stop();
+    if (!m_current) m_output->stop();
 }
 
 void SpeechQueue::setNow(double time, const std::optional<RegionId>& region, std::uint64_t routeVersion) {
@@ -146,7 +163,7 @@ void SpeechQueue::setNow(double time, const std::optional<RegionId>& region, std
     if (!m_current || m_current->cue.routeVersion == 0 || m_current->cue.routeVersion >= m_routeVersion)
         return;
     finish(UtteranceState::Interrupted);
-    m_output.stop();
+    m_output->stop();
     speakNext();
 }
 
@@ -177,7 +194,7 @@ void SpeechQueue::speakNext() {
     if (actionable(m_current->cue)) m_lastActionable = m_current;
     const Utterance started = *m_current;
     Q_EMIT changed(started);
-    m_output.say(started.text);
+    m_output->say(started.text);
 }
 
 void SpeechQueue::pauseThenNext() {
@@ -191,7 +208,7 @@ void SpeechQueue::finish(UtteranceState state) {
     Utterance ended = std::move(*m_current);
     m_current.reset();
     ended.state = state;
-    if (state == UtteranceState::Spoken) m_told.push_back({ended.cue, ended.text});
+    if (state == UtteranceState::Spoken && !ended.own) m_told.push_back({ended.cue, ended.text});
     Q_EMIT changed(ended);
 }
 
@@ -245,6 +262,33 @@ void SpeechQueue::repeatLast() {
     speakNext();
 }
 
+void SpeechQueue::say(const QString& text) {
+    Utterance own;
+    own.cue.kind = CueKind::Located; // no instruction to move, so that no other cue makes it void
+    own.cue.priority = CuePriority::Arrival;
+    own.cue.time = m_now;
+    own.text = text;
+    own.own = true;
+    dropWaiting([](const Utterance& old) { return old.own; }, UtteranceState::Expired);
+    if (m_muted) return show(std::move(own));
+    interruptForOwn();
+    const auto place = std::find_if(m_waiting.begin(), m_waiting.end(), [](const Utterance& old) {
+        return old.cue.priority > CuePriority::Warning;
+    });
+    const Utterance told = *m_waiting.insert(place, std::move(own));
+    Q_EMIT changed(told);
+    speakNext();
+}
+
+void SpeechQueue::interruptForOwn() {
+    m_gap.stop();
+    if (!m_current || m_current->cue.priority == CuePriority::Warning) return;
+    std::optional<Utterance> again;
+    if (!m_current->own && actionable(m_current->cue)) again = m_current;
+    finish(UtteranceState::Interrupted);
+    if (again && !stale(again->cue)) enqueue(std::move(*again));
+}
+
 void SpeechQueue::setMuted(bool muted) {
     if (muted == m_muted) return;
     m_muted = muted;
@@ -252,7 +296,7 @@ void SpeechQueue::setMuted(bool muted) {
     m_gap.stop();
     if (m_current) {
         finish(UtteranceState::Interrupted);
-        m_output.stop();
+        m_output->stop();
     }
     std::vector<Utterance> unspoken = std::exchange(m_waiting, {});
     for (Utterance& utterance : unspoken) show(std::move(utterance));
@@ -262,7 +306,7 @@ void SpeechQueue::clear() {
     m_gap.stop();
     if (m_current) {
         finish(UtteranceState::Interrupted);
-        m_output.stop();
+        m_output->stop();
     }
     dropWaiting([](const Utterance&) { return true; }, UtteranceState::Expired);
     m_lastActionable.reset();

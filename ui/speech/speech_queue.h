@@ -27,6 +27,7 @@ struct Utterance {
     guidance::Cue cue;
     QString text;
     UtteranceState state = UtteranceState::Waiting;
+    bool own = false; ///< the program's own words, such as the answer to a key: no cue stands behind them
 };
 
 /// A more urgent cue interrupts; equal or lower ones wait; what has expired, or belongs to an older route or
@@ -40,6 +41,11 @@ public:
     SpeechQueue(SpeechOutput& output, Phrasebook& phrasebook, QObject* parent = nullptr);
 
     void add(const guidance::Cue& cue);
+    /// The program's own words: at once, in place of older ones of the same sort; only a warning is spoken to
+    /// its end. An instruction that they interrupt is told again after them.
+    void say(const QString& text);
+    /// Another voice: nothing that waits is lost, and what was being said is said again.
+    void useOutput(SpeechOutput& output);
     /// The walk's clock, place and route: stale utterances are dropped by these.
     void setNow(double time, const std::optional<RegionId>& region, std::uint64_t routeVersion);
     /// The last actionable sentence again, without the distance and direction of that moment.
@@ -74,10 +80,12 @@ private:
     void speakNext();
     void pauseThenNext();
     void finish(UtteranceState state);
+    void connectOutput();
+    void interruptForOwn();
     void outputFailed(const QString& message);
     void show(Utterance utterance);
 
-    SpeechOutput& m_output;
+    SpeechOutput* m_output; ///< never null
     Phrasebook& m_phrasebook;
     QTimer m_gap;
     std::vector<Utterance> m_waiting; ///< most urgent first, then in order of arrival

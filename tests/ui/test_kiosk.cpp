@@ -1,0 +1,297 @@
+// The kiosk's page with a walk behind it: only keys go in, only the utterances come out.
+
+#include "core/building/geopackage.h"
+#include "tests/ui/hand_made.h"
+#include "ui/convert/convert.h"
+#include "ui/kiosk/kiosk_page.h"
+
+#include <QElapsedTimer>
+#include <QFile>
+#include <QLabel>
+#include <QScrollArea>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+
+namespace farol::ui {
+
+namespace {
+
+class CountedChimes : public Chimes {
+public:
+    explicit CountedChimes(int& warnings) : m_warnings(warnings) {}
+    void play(Sound sound) override { m_warnings += sound == Sound::Warning ? 1 : 0; }
+
+private:
+    int& m_warnings;
+};
+
+} // namespace
+
+class KioskTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase();
+    void init();
+    void cleanup();
+    void fromTheListToTheWay();
+    void beingThereAlreadyIsTold();
+    void theMissingMapIsTold();
+    void theMissingSourceIsTold();
+    void theEndOfThePicturesIsToldAndTriedAgain();
+    void noCameraIsTold();
+    void aMissingLibraryIsTold();
+    void itLeavesAfterTheLastWords();
+    void escapeHeldDown();
+    void closingWhileLoading();
+    void aCrashIsRememberedAndAGoodEndIsNot();
+    void theLanguageChangesAtOnce();
+    void keysSpeakBeforeALongWalk();
+    void thePageHasNamesAndLargeLetters();
+
+private:
+    void make(std::uint64_t frames = 1000000, const QString& from = QStringLiteral("c"));
+    void start();
+    void key(int key, const QString& text = {});
+    bool heard(const char* part) const;
+
+    QTemporaryDir m_folder;
+    KioskStart m_start;
+    std::unique_ptr<Settings> m_settings;
+    std::unique_ptr<Kiosk> m_kiosk;
+    std::unique_ptr<KioskPage> m_page;
+    QStringList m_log;
+    int m_warnings = 0;
+};
+
+void KioskTest::initTestCase() {
+    QVERIFY(building::saveBuilding(*test::handMadeBuilding(),
+                                   toUtf8(m_folder.filePath(QStringLiteral("house.gpkg"))))
+                .ok());
+}
+
+void KioskTest::init() {
+    installTranslation(QStringLiteral("en"));
+    const QString file = m_folder.filePath(QStringLiteral("kiosk.ini"));
+    QFile::remove(file);
+    m_settings = std::make_unique<Settings>(file);
+    m_settings->setLanguage(QStringLiteral("en"));
+    m_start = {};
+    m_start.map = m_folder.filePath(QStringLiteral("house.gpkg"));
+    m_start.source = QStringLiteral("grey");
+    m_start.memoryFile = m_folder.filePath(QStringLiteral("state.json"));
+    QFile::remove(m_start.memoryFile);
+    m_warnings = 0;
+}
+
+void KioskTest::cleanup() {
+    m_page.reset();
+    m_kiosk.reset();
+    m_settings.reset();
+}
+
+void KioskTest::make(std::uint64_t frames, const QString& from) {
+    m_page.reset();
+    m_kiosk.reset();
+    m_log.clear();
+    m_start.from = from;
+    const auto open =
+        [frames](const std::string& name,
+                 const capture::SourceOptions&) -> Result<std::unique_ptr<capture::FrameSource>> {
+        if (name == "broken") return Error{ErrorCode::Unavailable, "there is no such camera", name};
+        return std::unique_ptr<capture::FrameSource>(std::make_unique<test::FakeSource>(frames, 0.05));
+    };
+    m_kiosk = std::make_unique<Kiosk>(
+        *m_settings, m_start, open, [](const VoiceChoice&) { return std::make_unique<test::FakeVoice>(); },
+        std::make_unique<CountedChimes>(m_warnings));
+    connect(m_kiosk.get(), &Kiosk::spoken, this, [this](const QString& text) { m_log << text; });
+    m_page = std::make_unique<KioskPage>(*m_kiosk);
+    m_page->resize(1280, 800);
+    m_page->QWidget::show();
+    m_kiosk->begin();
+}
+
+/// Until the camera runs, so that keys are answered by the walk.
+void KioskTest::start() {
+    make();
+    QTRY_COMPARE_WITH_TIMEOUT(m_kiosk->walk().state(), session::RunState::Running, 60000);
+    QTRY_VERIFY_WITH_TIMEOUT(m_kiosk->walk().snapshot() != nullptr, 60000);
+    QTRY_COMPARE(m_kiosk->machine().state(), KioskState::Choosing);
+}
+
+void KioskTest::key(int key, const QString& text) {
+    Q_UNUSED(text);
+    QTest::keyClick(m_page.get(), static_cast<Qt::Key>(key));
+}
+
+bool KioskTest::heard(const char* part) const {
+    return !m_log.filter(QString::fromUtf8(part)).isEmpty();
+}
+
+void KioskTest::fromTheListToTheWay() {
+    start();
+    QVERIFY(heard("Choose a destination: 6 places"));
+    key(Qt::Key_F);
+    QTest::keyClicks(m_page.get(), QStringLiteral("library"));
+    key(Qt::Key_Return);
+    QTRY_VERIFY(heard("Library 1.01, level 1"));
+    key(Qt::Key_Return);
+    QTRY_VERIFY(heard("To: Library 1.01, level 1."));
+    QTRY_VERIFY_WITH_TIMEOUT(heard("Destination: Library"), 60000); // the walk's own words
+    key(Qt::Key_L);
+    QTRY_VERIFY_WITH_TIMEOUT(heard("stairs"), 60000);
+    key(Qt::Key_Return);
+    QCOMPARE(m_kiosk->machine().state(), KioskState::Walking);
+    m_log.clear();
+    key(Qt::Key_W);
+    QTRY_VERIFY_WITH_TIMEOUT(heard("Main corridor"), 60000);
+    key(Qt::Key_Escape);
+    QTRY_VERIFY(heard("Stop the guidance?"));
+    key(Qt::Key_Escape);
+    QTRY_VERIFY(!m_kiosk->walk().destination());
+}
+
+void KioskTest::beingThereAlreadyIsTold() {
+    start();
+    key(Qt::Key_F);
+    QTest::keyClicks(m_page.get(), QStringLiteral("main"));
+    key(Qt::Key_Return);
+    key(Qt::Key_Return);
+    QTRY_COMPARE_WITH_TIMEOUT(m_kiosk->machine().state(), KioskState::Arrived, 60000);
+    QTRY_VERIFY_WITH_TIMEOUT(heard("already there"), 60000);
+    key(Qt::Key_Return);
+    QCOMPARE(m_kiosk->machine().state(), KioskState::Choosing);
+}
+
+void KioskTest::theMissingMapIsTold() {
+    m_start.map = m_folder.filePath(QStringLiteral("none.gpkg"));
+    make();
+    QTRY_VERIFY_WITH_TIMEOUT(heard("The map cannot be opened"), 60000);
+    QVERIFY(!m_kiosk->detail().isEmpty());
+    m_start.map.clear();
+    make();
+    QTRY_VERIFY(heard("The map cannot be opened"));
+}
+
+void KioskTest::theMissingSourceIsTold() {
+    m_start.source = QStringLiteral("broken");
+    make();
+    QTRY_VERIFY_WITH_TIMEOUT(heard("The camera gives no pictures"), 60000);
+    QVERIFY(m_kiosk->detail().contains(QLatin1String("no such camera")));
+}
+
+void KioskTest::theEndOfThePicturesIsToldAndTriedAgain() {
+    make(2);
+    QTRY_VERIFY_WITH_TIMEOUT(heard("The camera gives no pictures"), 60000);
+    QSignalSpy began(&m_kiosk->walk(), &Walk::walkBegan);
+    key(Qt::Key_Down);
+    key(Qt::Key_Return);
+    key(Qt::Key_Return);
+    QTRY_VERIFY(heard("I try the camera again"));
+    QTRY_COMPARE_WITH_TIMEOUT(began.count(), 1, 60000);
+    QTRY_VERIFY_WITH_TIMEOUT(heard("Stop. The camera gives no pictures"), 60000);
+}
+
+void KioskTest::noCameraIsTold() {
+    m_start.source.clear();
+    make();
+    QTRY_VERIFY_WITH_TIMEOUT(heard("Choose a destination"), 60000);
+    key(Qt::Key_W);
+    QTRY_VERIFY(heard("No camera is set up"));
+}
+
+void KioskTest::aMissingLibraryIsTold() {
+    m_start.library = m_folder.filePath(QStringLiteral("none.gpkg"));
+    make();
+    QTRY_VERIFY_WITH_TIMEOUT(heard("The landmarks cannot be loaded"), 60000);
+    QTRY_COMPARE_WITH_TIMEOUT(m_kiosk->walk().state(), session::RunState::Running, 60000);
+}
+
+void KioskTest::itLeavesAfterTheLastWords() {
+    start();
+    QSignalSpy finished(m_kiosk.get(), &Kiosk::finished);
+    key(Qt::Key_Escape);
+    QTRY_VERIFY(heard("Leave Farol?"));
+    key(Qt::Key_Escape);
+    QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 1, 60000);
+    QVERIFY(heard("Goodbye."));
+    QVERIFY(!m_page->isVisible());
+}
+
+void KioskTest::escapeHeldDown() {
+    start();
+    QSignalSpy finished(m_kiosk.get(), &Kiosk::finished);
+    m_page->setHoldMs(0);
+    QTest::keyPress(m_page.get(), Qt::Key_Escape);
+    QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 1, 60000);
+}
+
+void KioskTest::closingWhileLoading() {
+    make();
+    m_page->close();
+    m_page.reset();
+    m_kiosk.reset(); // waits for what runs; nothing is left that could still speak
+    QVERIFY(!QFile::exists(m_start.memoryFile));
+}
+
+void KioskTest::aCrashIsRememberedAndAGoodEndIsNot() {
+    start();
+    key(Qt::Key_End);
+    key(Qt::Key_Return);
+    QTRY_VERIFY(QFile::exists(m_start.memoryFile));
+    const auto destination = m_kiosk->machine().destination();
+    make(); // without closing: as after a crash
+    QTRY_VERIFY_WITH_TIMEOUT(heard("started again"), 60000);
+    QCOMPARE(m_kiosk->machine().destination(), destination);
+    QCOMPARE(m_kiosk->walk().destination(), destination);
+    m_page->close();
+    QVERIFY(!QFile::exists(m_start.memoryFile));
+}
+
+void KioskTest::theLanguageChangesAtOnce() {
+    start();
+    key(Qt::Key_F2);
+    QTRY_VERIFY(heard("Falo português agora."));
+    m_log.clear();
+    key(Qt::Key_Down);
+    QTRY_VERIFY(heard("1 de 6"));
+    key(Qt::Key_F2);
+    QTRY_VERIFY(heard("I speak English now."));
+}
+
+/// From the key to the voice, with a walk running: what is the kiosk's own is said within the same call.
+void KioskTest::keysSpeakBeforeALongWalk() {
+    start();
+    QTRY_VERIFY(heard("Choose a destination"));
+    for (int i = 0; i < 5; ++i) {
+        const qsizetype before = m_log.size();
+        key(Qt::Key_Down);
+        QTRY_VERIFY(m_log.size() > before);
+    }
+}
+
+void KioskTest::thePageHasNamesAndLargeLetters() {
+    for (const char* language : {"en", "pt"}) {
+        m_settings->setLanguage(QString::fromLatin1(language));
+        start();
+        installTranslation(QString::fromLatin1(language));
+        m_kiosk->machine().retranslate();
+        key(Qt::Key_F1); // the longest text
+        QTRY_COMPARE(m_kiosk->machine().state(), KioskState::Help);
+        QVERIFY(!m_page->accessibleName().isEmpty());
+        for (const QLabel* label : m_page->findChildren<QLabel*>()) {
+            if (!label->isVisible()) continue;
+            QVERIFY2(!label->accessibleName().isEmpty(), qPrintable(label->objectName()));
+            QVERIFY(QFontInfo(label->font()).pointSizeF() >= 39.5);
+            QVERIFY2(label->height() >= label->heightForWidth(label->width()), qPrintable(label->text()));
+        }
+        const auto* area = m_page->findChild<QScrollArea*>();
+        QVERIFY(area->viewport()->height() >= 200); // three lines of what is said
+    }
+}
+
+} // namespace farol::ui
+
+QTEST_MAIN(farol::ui::KioskTest)
+#include "test_kiosk.moc"

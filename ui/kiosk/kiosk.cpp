@@ -1,0 +1,205 @@
+#include "ui/kiosk/kiosk.h"
+
+#include "core/building/info.h"
+#include "ui/convert/convert.h"
+
+#include <QLocale>
+
+#include <utility>
+
+namespace farol::ui {
+
+using guidance::Cue;
+using guidance::CueKind;
+using guidance::CuePriority;
+
+namespace {
+
+/// A voice that never ends does not keep the kiosk from closing.
+constexpr int kFarewellMs = 3000;
+
+} // namespace
+
+Kiosk::Kiosk(Settings& settings, KioskStart start, Walk::OpenSource open, SpeechDesk::MakeOutput makeOutput,
+             std::unique_ptr<Chimes> chimes)
+    : m_settings(settings),
+      m_start(std::move(start)),
+      m_walk(std::move(open)),
+      m_speech(settings, std::move(makeOutput)),
+      m_chimes(chimes ? std::move(chimes) : makeChimes()),
+      m_machine(settings),
+      m_memory(m_start.memoryFile) {
+    settings.setMuted(false); // nobody could tell why it is silent
+    m_walk.setVerbosity(settings.verbosity());
+    m_farewell.setSingleShot(true);
+    m_farewell.setInterval(kFarewellMs);
+    connectWalk();
+    connectMachine();
+    connectVoice();
+}
+
+Kiosk::~Kiosk() = default;
+
+void Kiosk::connectWalk() {
+    connect(&m_walk, &Walk::mapChanged, this, &Kiosk::mapCame);
+    connect(&m_walk, &Walk::problem, this, &Kiosk::trouble);
+    connect(&m_walk, &Walk::stateChanged, this, &Kiosk::watchCamera);
+    connect(&m_walk, &Walk::busyChanged, this, &Kiosk::watchCamera);
+    connect(&m_walk, &Walk::walkBegan, this, [this] {
+        m_sourceBroken = false;
+        setDetail({});
+    });
+    connect(&m_walk, &Walk::remark, this, &Kiosk::setDetail);
+    connect(&m_walk, &Walk::cueCame, this, &Kiosk::cueCame);
+    connect(&m_walk, &Walk::stepped, this, [this](const session::NavigationStep& step) {
+        m_speech.setNow(step.percept.time, step.fix.region, step.progress.routeVersion);
+        if (step.fix.region == m_region) return;
+        m_region = step.fix.region;
+        m_machine.setRegion(m_region);
+        if (m_region) remember();
+    });
+}
+
+void Kiosk::connectMachine() {
+    connect(&m_machine, &KioskMachine::said, &m_speech, &SpeechDesk::say);
+    connect(&m_machine, &KioskMachine::asked, this, &Kiosk::answer);
+    connect(&m_machine, &KioskMachine::destinationChosen, this,
+            [this](const std::optional<RegionId>& region) {
+                m_walk.setDestination(region);
+                if (region)
+                    remember();
+                else
+                    m_memory.forget();
+            });
+    connect(&m_machine, &KioskMachine::cameraWanted, this, [this] {
+        m_speech.reset(); // the new session counts its routes anew
+        m_walk.play();
+    });
+    connect(&m_machine, &KioskMachine::changed, this, &Kiosk::changed);
+    connect(&m_machine, &KioskMachine::left, this, [this] {
+        m_leaving = true;
+        m_farewell.start();
+    });
+    connect(&m_farewell, &QTimer::timeout, this, [this] {
+        close();
+        Q_EMIT finished();
+    });
+}
+
+void Kiosk::connectVoice() {
+    connect(&m_speech, &SpeechDesk::utteranceChanged, this, [this](const Utterance& utterance) {
+        const UtteranceState state = utterance.state;
+        if (state == UtteranceState::Speaking || state == UtteranceState::Shown)
+            Q_EMIT spoken(utterance.text);
+        const bool over = state == UtteranceState::Spoken || state == UtteranceState::Shown;
+        if (m_leaving && over && utterance.own) m_farewell.start(0);
+    });
+    connect(&m_speech, &SpeechDesk::statusChanged, this,
+            [this](const QString& status, bool bad) { setDetail(bad ? status : QString()); });
+    connect(&m_settings, &Settings::guidanceChanged, this,
+            [this] { m_walk.setVerbosity(m_settings.verbosity()); });
+    connect(&m_settings, &Settings::languageChanged, this, [this] {
+        installTranslation(m_settings.language());
+        m_machine.retranslate();
+    });
+}
+
+void Kiosk::begin() {
+    m_machine.greet();
+    if (m_start.map.isEmpty()) {
+        setDetail(tr("No map was given (farol --kiosk --map FILE)."));
+        m_machine.mapFailed();
+        return;
+    }
+    if (!m_start.source.isEmpty()) m_walk.setSource({m_start.source, m_start.framesPerSecond});
+    if (!m_start.library.isEmpty()) m_walk.loadLibrary(m_start.library);
+    m_walk.loadMap(m_start.map);
+    if (!m_start.source.isEmpty()) m_walk.play(); // once all is loaded
+    watchCamera();
+}
+
+void Kiosk::mapCame() {
+    const auto building = m_walk.building();
+    const auto look = [&](const QString& where) -> std::optional<RegionId> {
+        if (where.isEmpty()) return std::nullopt;
+        const auto found = building::resolveWhere(*building, toUtf8(where));
+        if (found) return found->region;
+        setDetail(toQString(found.error().text()));
+        return std::nullopt;
+    };
+    if (const auto from = look(m_start.from)) m_walk.setStart(from);
+    const std::optional<KioskMoment> left = m_memory.load();
+    if (left && left->map == m_walk.mapName()) {
+        const auto region =
+            left->region.isEmpty() ? std::nullopt : std::optional(RegionId(toUtf8(left->region)));
+        m_machine.setWish(RegionId(toUtf8(left->destination)), true, region);
+    } else if (const auto to = look(m_start.to)) {
+        m_machine.setWish(*to, false, std::nullopt);
+    }
+    m_machine.setBuilding(building);
+}
+
+void Kiosk::cueCame(const Cue& cue) {
+    if (!m_machine.wants(cue)) return;
+    if (cue.priority == CuePriority::Warning && cue.reason != guidance::CueReason::CameraBack)
+        m_chimes->play(Sound::Warning);
+    else if (cue.kind == CueKind::Unsure && cue.sweep == guidance::SweepStep::Done)
+        m_chimes->play(Sound::Fix);
+    m_speech.add(cue);
+}
+
+void Kiosk::watchCamera() {
+    if (m_closed || m_leaving) return;
+    const session::RunState state = m_walk.state();
+    KioskCamera camera = KioskCamera::Opening;
+    if (m_start.source.isEmpty())
+        camera = KioskCamera::None;
+    else if (m_walk.loading())
+        camera = KioskCamera::Opening;
+    else if (state == session::RunState::Running || state == session::RunState::Paused)
+        camera = KioskCamera::Running;
+    else if (m_sourceBroken || state == session::RunState::Ended || state == session::RunState::Failed)
+        camera = KioskCamera::Gone;
+    m_machine.setCamera(camera);
+}
+
+void Kiosk::trouble(Problem kind, const QString& message) {
+    setDetail(message);
+    switch (kind) {
+    case Problem::Map:
+        return m_machine.mapFailed();
+    case Problem::Library:
+        m_speech.say(tr("The landmarks cannot be loaded: I will hardly know where you are. Ask for help."));
+        return m_walk.play();
+    case Problem::Source:
+    case Problem::Session:
+        m_sourceBroken = true;
+        return watchCamera();
+    case Problem::Recording:
+        return;
+    }
+}
+
+void Kiosk::setDetail(const QString& detail) {
+    if (detail == m_detail) return;
+    m_detail = detail;
+    Q_EMIT changed();
+}
+
+void Kiosk::remember() {
+    const std::optional<RegionId>& destination = m_machine.destination();
+    if (!destination || m_leaving || m_closed) return;
+    const bool kept = m_memory.save(
+        {m_walk.mapName(), toQString(destination->value), m_region ? toQString(m_region->value) : QString()});
+    if (!kept) setDetail(tr("The destination cannot be kept for a restart: the folder cannot be written."));
+}
+
+void Kiosk::close() {
+    if (m_closed) return;
+    m_closed = true;
+    m_memory.forget();
+    m_walk.stop();
+    m_settings.sync();
+}
+
+} // namespace farol::ui

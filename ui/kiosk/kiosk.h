@@ -1,0 +1,77 @@
+#pragma once
+// The kiosk's parts put together: keys and words (KioskMachine), the walk, the voice, the sounds and what
+// survives a crash. GUI thread; no widgets.
+
+#include "ui/kiosk/chimes.h"
+#include "ui/kiosk/kiosk_machine.h"
+#include "ui/kiosk/kiosk_memory.h"
+#include "ui/live/speech_desk.h"
+#include "ui/live/walk.h"
+#include "ui/settings/settings.h"
+
+#include <QObject>
+#include <QString>
+#include <QTimer>
+
+#include <memory>
+
+namespace farol::ui {
+
+struct KioskStart {
+    QString map, library, source; ///< empty: none
+    double framesPerSecond = 0.0;
+    QString from, to;   ///< WHERE of the command line
+    QString memoryFile; ///< see KioskMemory
+};
+
+class Kiosk : public QObject {
+    Q_OBJECT
+
+public:
+    /// `open`, `makeOutput` and `chimes` are replaced by tests. The settings must outlive the kiosk.
+    Kiosk(Settings& settings, KioskStart start, Walk::OpenSource open = {},
+          SpeechDesk::MakeOutput makeOutput = {}, std::unique_ptr<Chimes> chimes = {});
+    ~Kiosk() override;
+
+    void begin();
+    void press(const KioskKey& key) { m_machine.press(key); }
+    void holdBack() { m_machine.holdBack(); }
+    /// The user goes, or the window is closed: not a crash.
+    void close();
+
+    KioskMachine& machine() { return m_machine; }
+    Walk& walk() { return m_walk; }
+    SpeechDesk& speech() { return m_speech; }
+    const QString& detail() const { return m_detail; } ///< what is wrong, for those who help
+
+Q_SIGNALS:
+    void spoken(const QString& text); ///< is being said now, or shown for want of a voice
+    void changed();                   ///< title, hint or detail
+    void finished();                  ///< the last words are said
+
+private:
+    void connectWalk();
+    void connectMachine();
+    void connectVoice();
+    void mapCame();
+    void cueCame(const guidance::Cue& cue);
+    void answer(KioskQuestion question);
+    void watchCamera();
+    void trouble(Problem kind, const QString& message);
+    void setDetail(const QString& detail);
+    void remember();
+
+    Settings& m_settings;
+    KioskStart m_start;
+    Walk m_walk;
+    SpeechDesk m_speech;
+    std::unique_ptr<Chimes> m_chimes;
+    KioskMachine m_machine;
+    KioskMemory m_memory;
+    QTimer m_farewell;
+    QString m_detail;
+    std::optional<RegionId> m_region;
+    bool m_sourceBroken = false, m_leaving = false, m_closed = false;
+};
+
+} // namespace farol::ui

@@ -1,0 +1,129 @@
+#include "ui/kiosk/kiosk_page.h"
+
+#include <QAccessible>
+#include <QCloseEvent>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QVBoxLayout>
+
+namespace farol::ui {
+
+namespace {
+
+constexpr int kPoints = 40;
+constexpr int kWordPoints = 54;
+constexpr int kLongWords = 160; // letters; longer texts are set smaller
+constexpr int kHoldMs = 1500;
+constexpr int kReadMs = 70; // a letter, as the voice takes
+const QString kYellow = QStringLiteral("#ffe000");
+const QString kWhite = QStringLiteral("#ffffff");
+
+} // namespace
+
+KioskPage::KioskPage(Kiosk& kiosk, QWidget* parent) : QWidget(parent), m_kiosk(kiosk) {
+    setObjectName(QStringLiteral("kiosk"));
+    setAttribute(Qt::WA_StyledBackground);
+    setStyleSheet(QStringLiteral("#kiosk, #area, #area > QWidget > QWidget { background: #000000; }"));
+    setFocusPolicy(Qt::StrongFocus);
+    setCursor(Qt::BlankCursor);
+    m_title = addLabel(kYellow, kPoints, QStringLiteral("title"));
+    m_words = addLabel(kWhite, kWordPoints, QStringLiteral("words"));
+    m_detail = addLabel(kWhite, kPoints, QStringLiteral("detail"));
+    m_hint = addLabel(kYellow, kPoints, QStringLiteral("hint"));
+    m_words->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    m_area = new QScrollArea(this);
+    m_area->setObjectName(QStringLiteral("area"));
+    m_area->setWidget(m_words);
+    m_area->setWidgetResizable(true);
+    m_area->setFrameShape(QFrame::NoFrame);
+    m_area->setFocusPolicy(Qt::NoFocus);
+    m_area->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_scroll = new QPropertyAnimation(m_area->verticalScrollBar(), "value", this);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(40, 24, 40, 24);
+    layout->setSpacing(16);
+    layout->addWidget(m_title);
+    layout->addWidget(m_area, 1);
+    layout->addWidget(m_detail);
+    layout->addWidget(m_hint);
+    m_hold.setSingleShot(true);
+    m_hold.setInterval(kHoldMs);
+    connect(&m_hold, &QTimer::timeout, &kiosk, &Kiosk::holdBack);
+    connect(&kiosk, &Kiosk::spoken, this, &KioskPage::show);
+    connect(&kiosk, &Kiosk::changed, this, &KioskPage::refresh);
+    connect(&kiosk, &Kiosk::finished, this, &QWidget::close);
+    refresh();
+}
+
+QLabel* KioskPage::addLabel(const QString& colour, int points, const QString& name) {
+    auto* label = new QLabel(this);
+    label->setObjectName(name);
+    label->setTextFormat(Qt::PlainText);
+    label->setWordWrap(true);
+    label->setStyleSheet(QStringLiteral("color: %1; background: #000000; font-size: %2pt; font-weight: %3;")
+                             .arg(colour, QString::number(points), QStringLiteral("600")));
+    return label;
+}
+
+void KioskPage::show(const QString& text) {
+    const int points = text.size() > kLongWords ? kPoints : kWordPoints;
+    m_words->setStyleSheet(
+        QStringLiteral("color: %1; background: #000000; font-size: %2pt; font-weight: 600;")
+            .arg(kWhite, QString::number(points)));
+    m_words->setText(text);
+    m_words->setAccessibleName(text);
+    QAccessibleEvent changed(m_words, QAccessible::NameChanged);
+    QAccessible::updateAccessibility(&changed);
+    // What does not fit moves up as it is read.
+    m_scroll->stop();
+    m_area->verticalScrollBar()->setValue(0);
+    const int hidden = m_words->heightForWidth(m_area->viewport()->width()) - m_area->viewport()->height();
+    if (hidden <= 0) return;
+    m_scroll->setStartValue(0);
+    m_scroll->setEndValue(hidden);
+    m_scroll->setDuration(static_cast<int>(text.size()) * kReadMs);
+    m_scroll->start();
+}
+
+void KioskPage::refresh() {
+    setWindowTitle(tr("Farol"));
+    setAccessibleName(tr("Farol, guidance"));
+    const auto set = [](QLabel* label, const QString& text) {
+        label->setText(text);
+        label->setAccessibleName(text);
+        label->setVisible(!text.isEmpty());
+    };
+    set(m_title, m_kiosk.machine().title());
+    set(m_hint, m_kiosk.machine().hint());
+    set(m_detail, m_kiosk.detail());
+}
+
+void KioskPage::keyPressEvent(QKeyEvent* event) {
+    event->accept();
+    const KioskKey key{event->key(), event->text(), event->modifiers().testFlag(Qt::KeypadModifier)};
+    const KioskCommand command = commandOf(key);
+    if (event->isAutoRepeat() && !repeats(command)) return;
+    if (command == KioskCommand::Back && !event->isAutoRepeat()) m_hold.start();
+    m_kiosk.press(key);
+}
+
+void KioskPage::keyReleaseEvent(QKeyEvent* event) {
+    if (!event->isAutoRepeat()) m_hold.stop();
+    event->accept();
+}
+
+/// Tab is a key like all others here: it has nowhere to go.
+bool KioskPage::focusNextPrevChild(bool /*next*/) {
+    return false;
+}
+
+void KioskPage::closeEvent(QCloseEvent* event) {
+    m_hold.stop();
+    m_kiosk.close();
+    QWidget::closeEvent(event);
+}
+
+} // namespace farol::ui

@@ -1,0 +1,43 @@
+#pragma once
+// The kiosk's screen: what is being said, in large letters, for those who see a little. All of it is heard
+// too.
+
+#include "ui/kiosk/kiosk.h"
+
+#include <QPropertyAnimation>
+#include <QTimer>
+#include <QWidget>
+
+class QLabel;
+class QScrollArea;
+
+namespace farol::ui {
+
+class KioskPage : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit KioskPage(Kiosk& kiosk, QWidget* parent = nullptr);
+
+    /// How long Escape is held down to leave.
+    void setHoldMs(int ms) { m_hold.setInterval(ms); }
+
+protected:
+    void keyPressEvent(QKeyEvent* event) override;
+    void keyReleaseEvent(QKeyEvent* event) override;
+    void closeEvent(QCloseEvent* event) override;
+    bool focusNextPrevChild(bool next) override;
+
+private:
+    QLabel* addLabel(const QString& colour, int points, const QString& name);
+    void show(const QString& text);
+    void refresh();
+
+    Kiosk& m_kiosk;
+    QLabel *m_title, *m_words, *m_detail, *m_hint;
+    QScrollArea* m_area;
+    QPropertyAnimation* m_scroll;
+    QTimer m_hold;
+};
+
+} // namespace farol::ui

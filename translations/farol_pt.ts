@@ -1084,7 +1084,7 @@ Abra uma câmara, um vídeo ou uma pasta de imagens e depois prima Reproduzir.</
     </message>
     <message>
         <source>Arrows: places   Enter: go   F: search   F1: keys</source>
-        <translation>Setas: lugares   Enter: ir   F: procurar   F1: teclas</translation>
+        <translation>Setas: lugares   Enter: ir   F1: teclas</translation>
     </message>
     <message>
         <source>Enter: done   Esc: back</source>

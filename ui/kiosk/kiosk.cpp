@@ -49,7 +49,6 @@ void Kiosk::connectWalk() {
         m_sourceBroken = false;
         setDetail({});
     });
-    connect(&m_walk, &Walk::remark, this, &Kiosk::setDetail);
     connect(&m_walk, &Walk::cueCame, this, &Kiosk::cueCame);
     connect(&m_walk, &Walk::stepped, this, [this](const session::NavigationStep& step) {
         m_speech.setNow(step.percept.time, step.fix.region, step.progress.routeVersion);

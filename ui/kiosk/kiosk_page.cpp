@@ -52,7 +52,7 @@ KioskPage::KioskPage(Kiosk& kiosk, QWidget* parent) : QWidget(parent), m_kiosk(k
     m_hold.setSingleShot(true);
     m_hold.setInterval(kHoldMs);
     connect(&m_hold, &QTimer::timeout, &kiosk, &Kiosk::holdBack);
-    connect(&kiosk, &Kiosk::spoken, this, &KioskPage::show);
+    connect(&kiosk, &Kiosk::spoken, this, &KioskPage::showWords);
     connect(&kiosk, &Kiosk::changed, this, &KioskPage::refresh);
     connect(&kiosk, &Kiosk::finished, this, &QWidget::close);
     refresh();
@@ -68,7 +68,7 @@ QLabel* KioskPage::addLabel(const QString& colour, int points, const QString& na
     return label;
 }
 
-void KioskPage::show(const QString& text) {
+void KioskPage::showWords(const QString& text) {
     const int points = text.size() > kLongWords ? kPoints : kWordPoints;
     m_words->setStyleSheet(
         QStringLiteral("color: %1; background: #000000; font-size: %2pt; font-weight: 600;")

@@ -30,7 +30,7 @@ protected:
 
 private:
     QLabel* addLabel(const QString& colour, int points, const QString& name);
-    void show(const QString& text);
+    void showWords(const QString& text);
     void refresh();
 
     Kiosk& m_kiosk;

@@ -123,6 +123,9 @@ class TestSpeechQueue : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
+    void ownWordsComeAtOnceAndCostNoInstruction();
+    void aWarningIsSpokenToItsEndBeforeOwnWords();
+    void anotherVoiceLosesNothing();
     void initTestCase() { QVERIFY(ui::installTranslation(QStringLiteral("en"))); }
     void speaksInOrderOfUrgencyThenArrival();
     void urgentCueInterrupts();
@@ -146,6 +149,41 @@ private Q_SLOTS:
     void lateReportsOfTheVoiceAreHarmless();
     void emptySentenceIsNothing();
 };
+
+void TestSpeechQueue::ownWordsComeAtOnceAndCostNoInstruction() {
+    Walk walk;
+    const QString own = QStringLiteral("Speed 7 of 11.");
+    walk.queue.add(turn(CueKind::Act, 90.0));
+    walk.queue.say(QStringLiteral("Speed 6 of 11."));
+    walk.queue.say(own); // the newer in place of the older
+    QCOMPARE(walk.output.said.last(), own);
+    walk.finishAll();
+    QCOMPARE(walk.output.said.last(), kLeft); // what was cut off is told again
+    walk.queue.say(own);
+    walk.queue.say(own); // the same key twice
+    QCOMPARE(walk.output.said.count(own), 3);
+}
+
+void TestSpeechQueue::aWarningIsSpokenToItsEndBeforeOwnWords() {
+    Walk walk;
+    walk.queue.add(warning(CueReason::CameraLost));
+    walk.queue.say(QStringLiteral("Speed 6 of 11."));
+    QCOMPARE(walk.output.said.size(), 1);
+    walk.output.finish();
+    QCOMPARE(walk.output.said.last(), QStringLiteral("Speed 6 of 11."));
+}
+
+void TestSpeechQueue::anotherVoiceLosesNothing() {
+    Walk walk;
+    RecordingOutput faster;
+    walk.queue.add(turn(CueKind::Act, 90.0));
+    walk.queue.add(seen(Kind::Extinguisher));
+    walk.queue.useOutput(faster);
+    QCOMPARE(faster.said, QStringList{kLeft});
+    faster.finish();
+    QCOMPARE(faster.said.last(), kExtinguisher);
+    QCOMPARE(walk.output.said, QStringList{kLeft}); // the old voice says no more
+}
 
 void TestSpeechQueue::speaksInOrderOfUrgencyThenArrival() {
     Walk walk;

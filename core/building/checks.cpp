@@ -2,6 +2,7 @@
 
 #include "core/base/text.h"
 #include "core/building/geometry_checks.h"
+#include "core/building/sayable.h"
 
 #include <algorithm>
 #include <cmath>
@@ -75,7 +76,8 @@ void checkUnique(const Items& items, const std::string& layer, const std::string
 }
 
 void checkRegions(const Building& building, Findings& findings) {
-    std::vector<std::string> unnamed;
+    std::vector<std::string> unnamed, unsayable;
+    std::string example;
     for (const Region& region : building.regions()) {
         std::string fault = polygonFault(region.polygon);
         if (!fault.empty())
@@ -86,12 +88,22 @@ void checkRegions(const Building& building, Findings& findings) {
                  "regions",
                  {region.id.value}});
         if (region.name.empty() && region.ref.empty()) unnamed.push_back(region.id.value);
+        if (!region.name.empty() && !isSayable(region.name)) {
+            if (unsayable.empty()) example = quoted(region.name);
+            unsayable.push_back(region.id.value);
+        }
     }
     if (!unnamed.empty())
         findings.push_back({Severity::Note, "region-named",
                             counted(unnamed.size(), "region has", "regions have") +
-                                " neither name nor ref: the id is spoken instead",
+                                " neither name nor ref: only its kind is spoken",
                             "regions", unnamed});
+    if (!unsayable.empty())
+        findings.push_back({Severity::Note, "region-name-sayable",
+                            counted(unsayable.size(), "region is", "regions are") + " called " + example +
+                                (unsayable.size() > 1 ? " or the like" : "") +
+                                ", which is never spoken; give it the name that people use",
+                            "regions", unsayable});
 }
 
 void checkLevels(const Building& building, Findings& findings) {

@@ -24,10 +24,10 @@ std::string severityName(Severity severity);
 
 /// Rules so far: region-polygon-valid, region-id-unique, access-joins-two-regions, access-regions-exist,
 /// regions-connected (components), landmark-region-exists, landmark-inside-region, region-named,
-/// level-listed, access-id-unique, landmark-id-unique, access-touches-regions, access-level-change,
-/// kind-known, region-sliver, region-overlap, region-inside, region-duplicate, region-ref-unique,
-/// region-has-access, region-door-joins-others, access-touches-two-regions, escalator-direction,
-/// shaft-misses-level, crs-degrees-for-metres.
+/// region-name-sayable, level-listed, access-id-unique, landmark-id-unique, access-touches-regions,
+/// access-level-change, kind-known, region-sliver, region-overlap, region-inside, region-duplicate,
+/// region-ref-unique, region-has-access, region-door-joins-others, access-touches-two-regions,
+/// escalator-direction, shaft-misses-level, crs-degrees-for-metres.
 std::vector<Finding> checkBuilding(const Building& building);
 
 /// Connected components over passable accesses: region indices, largest first.

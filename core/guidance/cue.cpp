@@ -30,6 +30,12 @@ std::string cueKindName(CueKind kind) {
         return "already_there";
     case CueKind::Warning:
         return "warning";
+    case CueKind::Around:
+        return "around";
+    case CueKind::Itinerary:
+        return "itinerary";
+    case CueKind::Chime:
+        return "chime";
     }
     return "unknown";
 }
@@ -38,6 +44,8 @@ std::string cueReasonName(CueReason reason) {
     switch (reason) {
     case CueReason::None:
         return "none";
+    case CueReason::NoDestination:
+        return "no_destination";
     case CueReason::DestinationUnknown:
         return "destination_unknown";
     case CueReason::DestinationUnreachable:
@@ -72,6 +80,44 @@ std::string sweepStepName(SweepStep step) {
         return "ask_for_help";
     case SweepStep::Done:
         return "done";
+    }
+    return "unknown";
+}
+
+std::string deviationName(Deviation deviation) {
+    switch (deviation) {
+    case Deviation::LeftRoute:
+        return "left_route";
+    case Deviation::WrongWay:
+        return "wrong_way";
+    case Deviation::Missed:
+        return "missed";
+    }
+    return "unknown";
+}
+
+std::string chimeName(Chime chime) {
+    switch (chime) {
+    case Chime::None:
+        return "none";
+    case Chime::Fix:
+        return "fix";
+    case Chime::Warning:
+        return "warning";
+    }
+    return "unknown";
+}
+
+std::string bearingName(Bearing bearing) {
+    switch (bearing) {
+    case Bearing::None:
+        return "none";
+    case Bearing::Facing:
+        return "facing";
+    case Bearing::AlongWay:
+        return "along_way";
+    case Bearing::Map:
+        return "map";
     }
     return "unknown";
 }

@@ -43,11 +43,19 @@ std::vector<Cue> CueScheduler::update(std::uint64_t frame, const localisation::F
     step.tellUnsure();
     step.tellRegion();
     step.tellObjects(fresh);
+    step.addChimes();
     std::vector<Cue> cues = step.takeCues();
     std::stable_sort(cues.begin(), cues.end(),
                      [](const Cue& a, const Cue& b) { return a.priority < b.priority; });
     for (Cue& cue : cues) cue.id = ++m_memory->lastId;
     return cues;
+}
+
+Cue CueScheduler::answer(Question question, std::uint64_t frame, const localisation::Fix& fix,
+                         const Progress& progress) {
+    Cue cue = CueStep{*m_building, m_options, *m_memory, frame, fix, progress}.answer(question);
+    cue.id = ++m_memory->lastId;
+    return cue;
 }
 
 Cue CueScheduler::warning(std::uint64_t frame, double time, CueReason reason, std::string detail) {
@@ -61,7 +69,26 @@ Cue CueScheduler::warning(std::uint64_t frame, double time, CueReason reason, st
     cue.validUntil = time + kWarningSeconds;
     cue.reason = reason;
     cue.detail = std::move(detail);
+    cue.chime = Chime::Warning;
     return cue;
+}
+
+std::string questionName(Question question) {
+    switch (question) {
+    case Question::WhereAmI:
+        return "where_am_i";
+    case Question::AroundMe:
+        return "around_me";
+    case Question::Next:
+        return "next";
+    case Question::Remaining:
+        return "remaining";
+    case Question::Repeat:
+        return "repeat";
+    case Question::Preview:
+        return "preview";
+    }
+    return "unknown";
 }
 
 } // namespace farol::guidance

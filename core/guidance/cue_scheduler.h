@@ -33,6 +33,18 @@ struct GuidanceOptions {
     Result<void> check() const;
 };
 
+/// What the user may ask at any moment.
+enum class Question {
+    WhereAmI,
+    AroundMe,
+    Next,      ///< what to do next, from here
+    Remaining, ///< all that is left to do
+    Repeat,    ///< the last thing of importance, as it is now
+    Preview,   ///< the whole route, before setting out
+};
+
+std::string questionName(Question question);
+
 struct SchedulerMemory;
 
 /// Deterministic; time comes from the frames. One thread. How a turn goes comes from the route's geometry,
@@ -49,6 +61,10 @@ public:
     /// The cues this frame causes, most urgent first; often none.
     std::vector<Cue> update(std::uint64_t frame, const localisation::Fix& fix, const Progress& progress,
                             const std::vector<localisation::Observation>& fresh);
+    /// The answer as one cue, spoken by the Phrasebook as any other. What was or will be told by itself is
+    /// not changed by it. `fix` and `progress` are those of the newest frame.
+    Cue answer(Question question, std::uint64_t frame, const localisation::Fix& fix,
+               const Progress& progress);
     /// A Warning cue from outside the chain (camera lost, disk full).
     Cue warning(std::uint64_t frame, double time, CueReason reason, std::string detail);
 

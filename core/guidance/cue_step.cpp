@@ -1,7 +1,9 @@
 #include "core/guidance/cue_step.h"
 
 #include "core/base/text.h"
+#include "core/building/sayable.h"
 #include "core/guidance/clock.h"
+#include "core/guidance/on_the_way.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,8 +21,22 @@ constexpr double kUsableConfidence = 0.05;
 constexpr double kWalkingSpeed = 0.8;
 /// An order to act rests on a position no older than this: 1.6 m of walking.
 constexpr double kFreshSeconds = 2.0;
-/// An order to act does not cut off the announcement of the same manoeuvre.
-constexpr double kActAfterPrepareSeconds = 3.0;
+/// An order to act does not cut off the announcement of the same manoeuvre, unless it is due at once.
+constexpr double kActAfterPrepareSeconds = 4.0;
+constexpr double kActAtOnceSeconds = 3.0;
+constexpr double kActAtOnceM = 1.0;
+/// Nor does it cut off the beginning of the route, which tells it, too.
+constexpr double kActAfterStartSeconds = 9.0;
+/// Nobody is told to keep moving so shortly before the next announcement.
+constexpr double kNoReassuranceM = 3.0;
+/// Who is on the stairs or in the lift is not sent there again.
+constexpr double kOnStairsSeconds = 60.0;
+/// Later than this a door is announced even if it cannot be told which of several it is.
+constexpr double kCountingM = 4.0;
+constexpr double kBesideM = 1.8; ///< a way too short to walk along a wall
+constexpr double kJustEnteredSeconds = 2.0;
+constexpr double kStraightM = 0.5;
+constexpr Radians kGoodFacing = fromDegrees(25.0);
 /// What follows within this distance is told in the same breath.
 constexpr double kCompoundM = 4.0;
 /// The length of the way is told although the spot in the start region is unknown once it is longer than
@@ -28,14 +44,12 @@ constexpr double kCompoundM = 4.0;
 constexpr double kLongWayM = 20.0;
 /// "Move forward" needs something seen within this time.
 constexpr double kReassureEvidenceSeconds = 10.0;
-constexpr double kAnnouncedIntoSeconds = 60.0;
 /// Metres nearer to the destination from one observation to the next that count as moving along the route.
 constexpr double kAdvanceM = 0.5;
+constexpr double kStandingSeconds = 4.0; ///< in which nobody who walks is not half a metre on
 
 constexpr double kActSeconds = 4.0, kPrepareSeconds = 6.0, kStartSeconds = 15.0, kReassureSeconds = 4.0,
-                 kArrivalSeconds = 20.0, kOffRouteSeconds = 8.0, kUnsureSeconds = 6.0, kLocatedSeconds = 6.0,
-                 kDetectionSeconds = 3.0, kTextSeconds = 4.0, kRefusalSeconds = 20.0;
-constexpr double kSureScore = 0.5;
+                 kArrivalSeconds = 20.0, kOffRouteSeconds = 8.0, kRefusalSeconds = 20.0;
 /// The first point of a way that is this far off tells in which direction it begins.
 constexpr double kFacingM = 1.0;
 /// Below, the user faces the way well enough to just walk.
@@ -49,7 +63,10 @@ bool changesLevel(ManoeuvreKind kind) {
 /// The manoeuvre to tell together with the one before it. After stairs and lifts one has to find one's
 /// bearings first.
 std::optional<Manoeuvre> inTheSameBreath(const Manoeuvre& first, const std::optional<Manoeuvre>& second) {
-    if (!second || changesLevel(first.kind) || second->kind == ManoeuvreKind::Start) return std::nullopt;
+    if (!second || second->kind == ManoeuvreKind::Start) return std::nullopt;
+    // Behind the last door one is there, however far its middle is.
+    if (second->kind == ManoeuvreKind::Arrive && first.kind != ManoeuvreKind::Turn) return second;
+    if (changesLevel(first.kind)) return std::nullopt;
     return second->atM - first.atM <= kCompoundM ? second : std::nullopt;
 }
 
@@ -95,8 +112,15 @@ void CueStep::add(Cue cue) {
 
 void CueStep::nameRegion(Cue& cue, const RegionId& region) const {
     cue.region = region;
+    cue.regionName = nameOf(region);
+    if (const building::Region* known = m_building.region(region)) cue.regionKind = known->kind;
+}
+
+/// Of a destination that the map does not have nothing but its id is known.
+std::string CueStep::nameOf(const RegionId& region) const {
     const building::Region* known = m_building.region(region);
-    cue.regionName = known != nullptr ? building::spokenName(*known) : region.value;
+    if (known != nullptr) return building::sayableName(*known);
+    return building::isSayable(region.value) ? region.value : std::string();
 }
 
 std::string CueStep::levelName(double ordinal, bool asOnButtons) const {
@@ -104,8 +128,8 @@ std::string CueStep::levelName(double ordinal, bool asOnButtons) const {
     if (level == nullptr) return formatNumber(ordinal);
     const std::string& first = asOnButtons ? level->ref : level->name;
     const std::string& second = asOnButtons ? level->name : level->ref;
-    if (!first.empty()) return first;
-    return second.empty() ? formatNumber(ordinal) : second;
+    if (building::isSayable(first)) return first;
+    return building::isSayable(second) ? second : formatNumber(ordinal);
 }
 
 std::string CueStep::keyOf(const Manoeuvre& manoeuvre) const {
@@ -135,41 +159,131 @@ std::optional<int> CueStep::hourTo(const Manoeuvre& manoeuvre) const {
     return clockHour(directionOf(ahead) - *m_fix.heading);
 }
 
-/// How far the user has to turn to face the way that begins here. Only a trained place tells which way one
-/// faces; the way of walking from two rough positions is no ground for such an order.
-std::optional<Radians> CueStep::turnFirst() const {
-    if (!m_usable || !m_fix.heading || !m_fix.position || age() > kFreshSeconds || !m_progress.route)
-        return std::nullopt;
+/// Only a trained place tells which way one faces, and walking the wrong way does; the way of walking from
+/// two rough positions is no ground for an order to turn.
+std::optional<Radians> CueStep::facing() const {
+    if (!m_usable || age() > kFreshSeconds) return std::nullopt;
+    if (m_progress.walking) return m_progress.walking;
     const building::Landmark* seen = m_building.landmark(m_fix.landmark);
     if (seen == nullptr || seen->kind != Kind::Place) return std::nullopt;
+    return m_fix.heading;
+}
+
+/// How far the user has to turn to face the way that begins here.
+std::optional<Radians> CueStep::turnFirst() const {
+    std::optional<Radians> now = facing();
+    if (!now || !m_fix.position || !m_progress.route) return std::nullopt;
     const std::vector<routing::PathPoint>& path = m_progress.route->path;
     for (const routing::PathPoint& point : path) {
         if (point.level != path.front().level || point.level != m_fix.level) return std::nullopt;
         Point2 ahead = point.position - path.front().position;
         if (length(ahead) < kFacingM) continue;
-        Radians turn = wrapped(directionOf(ahead) - *m_fix.heading);
+        Radians turn = wrapped(directionOf(ahead) - *now);
         return std::abs(turn.value) >= kTurnFirst.value ? std::optional(turn) : std::nullopt;
     }
     return std::nullopt;
 }
 
-/// A cue about a manoeuvre: what it leads into, what follows at once, and where it still holds.
-void CueStep::addManoeuvre(Cue cue, const Manoeuvre& manoeuvre, const std::optional<Manoeuvre>& after) {
+bool CueStep::placeIsGood() const {
+    return m_sure && m_fix.position &&
+           std::hypot(m_fix.sigmaM, kWalkingSpeed * age()) <= m_options.maxSigmaForDistanceM;
+}
+
+/// Which side is left is known of somebody who walks along the way, or has just come through its last door.
+bool CueStep::facesWay() const {
+    if (m_memory.facesWay && m_memory.version == m_progress.routeVersion) return true;
+    if (facing()) return true; // turnFirst() says the rest
+    bool moving = m_progress.replanned && m_fix.heading && m_fix.headingSigma.value > 0.0 &&
+                  m_fix.headingSigma.value <= kGoodFacing.value && m_fix.position && m_fix.level;
+    if (!moving || age() > kFreshSeconds || !m_progress.route) return false;
+    auto way = wayDirection(*m_progress.route, *m_fix.position, *m_fix.level);
+    return way && std::abs(wrapped(*way - *m_fix.heading).value) < kTurnFirst.value;
+}
+
+/// The number that the route knows counts from where its leg begins; here and now it is another one.
+void CueStep::countDoors(Manoeuvre& manoeuvre) const {
+    if (manoeuvre.side == routing::Side::None) return;
+    bool justEntered = m_progress.regionsPassed > 0 && m_fix.time - m_memory.enteredAt < kJustEnteredSeconds;
+    bool turnsBefore = m_progress.next && m_progress.next->kind == ManoeuvreKind::Turn;
+    if (m_fix.position && m_fix.level == manoeuvre.level) {
+        double sigma = std::max(kStraightM, std::hypot(m_fix.sigmaM, kWalkingSpeed * age()));
+        manoeuvre.number =
+            m_sure && !turnsBefore ? countedFrom(m_building, manoeuvre, *m_fix.position, sigma) : 0;
+    } else if (!justEntered || turnsBefore) {
+        manoeuvre.number = 0;
+    }
+}
+
+/// Which of several doors it is will be plain a step further on.
+bool CueStep::waitsForCount(const Manoeuvre& manoeuvre) const {
+    if (manoeuvre.side == routing::Side::None || !placeIsGood() || !facesWay()) return false;
+    Manoeuvre counted = manoeuvre;
+    countDoors(counted);
+    return counted.number == 0 && !mark(manoeuvre);
+}
+
+std::optional<Mark> CueStep::mark(const Manoeuvre& manoeuvre) const {
+    if (!placeIsGood() || !m_progress.distanceM || m_fix.level != manoeuvre.level) return std::nullopt;
+    bool straight = *m_progress.distanceM - distance(manoeuvre.position, *m_fix.position) <= kStraightM;
+    return straight ? markBefore(m_building, manoeuvre, *m_fix.position, m_fix.sigmaM) : std::nullopt;
+}
+
+/// One ride over several levels is one manoeuvre; on the way through, one stays in the car.
+bool CueStep::staysInLift(const Manoeuvre& manoeuvre) const {
+    if (manoeuvre.kind != ManoeuvreKind::Elevator || !m_progress.route) return false;
+    const Manoeuvre* before = nullptr;
+    for (const Manoeuvre& each : m_progress.route->manoeuvres) {
+        if (each.access == manoeuvre.access && each.from == manoeuvre.from) break;
+        before = &each;
+    }
+    return before != nullptr && before->kind == ManoeuvreKind::Elevator && before->into == manoeuvre.into;
+}
+
+/// A door close beside the one that one has come through is on a side, too, though nobody walks along a wall
+/// to it.
+void CueStep::setShortSide(Manoeuvre& manoeuvre) const {
+    if (!m_progress.route || !manoeuvre.behind || manoeuvre.side != routing::Side::None) return;
+    double towards = wrapped(manoeuvre.turn - *manoeuvre.behind).value, before = -kBesideM;
+    for (const Manoeuvre& each : m_progress.route->manoeuvres)
+        if (each.kind != ManoeuvreKind::Start && each.atM < manoeuvre.atM) before = each.atM;
+    if (std::abs(towards) < kTurnFirst.value || manoeuvre.atM - before >= kBesideM) return;
+    manoeuvre.side = towards > 0.0 ? routing::Side::Left : routing::Side::Right;
+    manoeuvre.number = 0;
+}
+
+/// What a manoeuvre leads into, what follows at once, and where it still holds.
+void CueStep::fillManoeuvre(Cue& cue, const Manoeuvre& manoeuvre,
+                            const std::optional<Manoeuvre>& after) const {
     cue.manoeuvre = manoeuvre;
     cue.next = inTheSameBreath(manoeuvre, after);
+    setShortSide(*cue.manoeuvre);
+    if (cue.next) setShortSide(*cue.next);
+    cue.staying = staysInLift(manoeuvre);
     if (cue.region.empty()) nameRegion(cue, manoeuvre.into);
+    if (const building::Region* from = m_building.region(manoeuvre.from)) cue.fromKind = from->kind;
     if (const building::Region* into = m_building.region(manoeuvre.into)) {
-        cue.intoName = building::spokenName(*into);
-        m_memory.announcedInto[manoeuvre.into] = m_fix.time;
+        cue.intoName = building::sayableName(*into);
+        cue.intoKind = into->kind;
     }
     if (manoeuvre.targetLevel != manoeuvre.level || changesLevel(manoeuvre.kind)) {
         cue.levelName = levelName(manoeuvre.targetLevel, manoeuvre.kind == ManoeuvreKind::Elevator);
     }
     if (!manoeuvre.from.empty()) cue.validIn = {manoeuvre.from};
+}
+
+void CueStep::addManoeuvre(Cue cue, const Manoeuvre& manoeuvre, const std::optional<Manoeuvre>& after) {
+    fillManoeuvre(cue, manoeuvre, after);
+    countDoors(*cue.manoeuvre);
+    cue.facingWay = facesWay();
+    if (m_building.region(manoeuvre.into) != nullptr) m_memory.announcedInto[manoeuvre.into] = m_fix.time;
     m_memory.told[keyOf(manoeuvre)] = m_fix.time;
+    if (cue.kind == CueKind::Prepare || cue.kind == CueKind::Act) m_memory.prepared.insert(keyOf(manoeuvre));
     if (cue.kind == CueKind::Act) m_memory.acted[keyOf(manoeuvre)] = m_fix.time;
     // Stairs and lifts are told once more by themselves, with their steps and the level.
-    if (cue.next && !changesLevel(cue.next->kind)) m_memory.told[keyOf(*cue.next)] = m_fix.time;
+    if (cue.next && !changesLevel(cue.next->kind)) {
+        m_memory.told[keyOf(*cue.next)] = m_fix.time;
+        m_memory.prepared.insert(keyOf(*cue.next));
+    }
     add(std::move(cue));
 }
 
@@ -181,11 +295,14 @@ void CueStep::tellRoute() {
         m_memory.regionIndex.reset();
         m_memory.told.clear();
         m_memory.acted.clear();
+        m_memory.prepared.clear();
         m_memory.announcedInto.clear();
         m_memory.routeToldAt.reset();
         m_memory.remainingWhenTold.reset();
         m_memory.arrivedToldAt.reset();
         m_memory.advance.reset();
+        m_memory.startedAt.reset();
+        m_memory.facesWay = false;
     }
     switch (m_progress.travel) {
     case Travel::NoDestination:
@@ -220,22 +337,27 @@ void CueStep::tellRefusal() {
     add(std::move(cue));
 }
 
-void CueStep::tellArrival() {
+Cue CueStep::arrivalCue() const {
     bool there = m_progress.route && m_progress.route->accesses.empty();
-    if (m_memory.arrivedToldAt && m_memory.regionIndex == m_progress.regionsPassed) return;
-    m_memory.regionIndex = m_progress.regionsPassed;
-    if (m_memory.arrivedToldAt && m_fix.time - *m_memory.arrivedToldAt < m_options.repeatAfterSeconds) return;
-    m_memory.arrivedToldAt = m_fix.time;
     Cue cue =
         routeCue(there ? CueKind::AlreadyThere : CueKind::Arrived, CuePriority::Arrival, kArrivalSeconds);
     nameRegion(cue, m_progress.destination);
     cue.validIn = {m_progress.destination};
-    add(std::move(cue));
+    return cue;
+}
+
+void CueStep::tellArrival() {
+    if (m_memory.arrivedToldAt && m_memory.regionIndex == m_progress.regionsPassed) return;
+    m_memory.regionIndex = m_progress.regionsPassed;
+    if (m_memory.arrivedToldAt && m_fix.time - *m_memory.arrivedToldAt < m_options.repeatAfterSeconds) return;
+    m_memory.arrivedToldAt = m_fix.time;
+    add(arrivalCue());
 }
 
 void CueStep::tellStart() {
     m_memory.regionIndex = m_progress.regionsPassed;
     m_memory.enteredAt = m_fix.time;
+    m_memory.startedAt = m_fix.time;
     Cue cue = routeCue(CueKind::RouteStart, CuePriority::Prepare, kStartSeconds);
     nameRegion(cue, m_progress.destination);
     double length = m_progress.route->lengthM;
@@ -256,6 +378,7 @@ void CueStep::tellOffRoute() {
     Cue cue = toldNow ? routeCue(CueKind::Prepare, CuePriority::Prepare, kPrepareSeconds)
                       : routeCue(CueKind::OffRoute, CuePriority::OffRoute, kOffRouteSeconds);
     if (!toldNow) m_memory.offRouteToldAt = m_fix.time;
+    cue.deviation = m_progress.deviation;
     cue.turnFirst = turnFirst();
     if (m_progress.next)
         addManoeuvre(std::move(cue), *m_progress.next, m_progress.afterNext);
@@ -271,11 +394,13 @@ void CueStep::followAdvance() {
     }
     double remaining = *m_progress.remainingM;
     std::optional<SchedulerMemory::Advance>& last = m_memory.advance;
-    if (!last)
-        last = {m_fix.evidenceTime, remaining, false};
-    else if (last->evidenceTime != m_fix.evidenceTime) {
-        last = {m_fix.evidenceTime, remaining, last->remainingM - remaining >= kAdvanceM};
-    }
+    if (!last) last = {m_fix.evidenceTime, remaining, false};
+    if (last->evidenceTime == m_fix.evidenceTime) return;
+    // Steps that are too short to tell are added up.
+    double gone = last->remainingM - remaining;
+    bool stands = m_fix.evidenceTime - last->evidenceTime > kStandingSeconds;
+    if (std::abs(gone) >= kAdvanceM || stands) last = {m_fix.evidenceTime, remaining, gone >= kAdvanceM};
+    if (last->along) m_memory.facesWay = true;
 }
 
 void CueStep::tellManoeuvre() {
@@ -284,6 +409,11 @@ void CueStep::tellManoeuvre() {
     const Manoeuvre& next = *m_progress.next;
     bool entered = m_memory.regionIndex != m_progress.regionsPassed;
     if (entered) {
+        bool onward = m_memory.regionIndex && *m_memory.regionIndex + 1 == m_progress.regionsPassed;
+        // Which way one faces behind stairs and lifts nobody knows.
+        const building::Region* before =
+            m_building.region(m_progress.route->regions[m_memory.regionIndex.value_or(0)]);
+        m_memory.facesWay = onward && before != nullptr && before->level == m_fix.level;
         m_memory.regionIndex = m_progress.regionsPassed;
         m_memory.enteredAt = m_fix.time;
     }
@@ -299,17 +429,27 @@ void CueStep::tellManoeuvre() {
     // An object can be recognised from several metres away: its place on the map is not where the user
     // stands.
     if (near && m_fix.sigmaM <= m_options.maxSigmaForActM) {
-        bool holdBack = toldRecently(m_memory.told, key, kActAfterPrepareSeconds) ||
-                        toldRecently(m_memory.acted, key, m_options.repeatAfterSeconds);
+        double repeatAfter = changesLevel(next.kind) ? kOnStairsSeconds : m_options.repeatAfterSeconds;
+        double pause = measured <= kActAtOnceM ? kActAtOnceSeconds : kActAfterPrepareSeconds;
+        auto toldAt = m_memory.told.find(key);
+        bool startIsToldNow = toldAt != m_memory.told.end() && toldAt->second == m_memory.startedAt &&
+                              m_fix.time - toldAt->second < kActAfterStartSeconds;
+        bool holdBack = toldRecently(m_memory.told, key, pause) || startIsToldNow ||
+                        toldRecently(m_memory.acted, key, repeatAfter);
         if (holdBack) return;
         Cue cue = routeCue(CueKind::Act, CuePriority::ActNow, kActSeconds);
         addManoeuvre(std::move(cue), next, m_progress.afterNext);
     } else if (expected <= m_options.prepareDistanceM) {
         bool again = near && !toldRecently(m_memory.told, key, m_options.repeatAfterSeconds);
-        if (isTold && !again) return;
+        // What only the beginning of the route has told, from afar, is announced like everything else.
+        bool prepared =
+            m_memory.prepared.contains(key) || toldRecently(m_memory.told, key, kActAfterStartSeconds);
+        if (isTold && prepared && !again) return;
+        if (waitsForCount(next) && measured > kCountingM) return;
         Cue cue = routeCue(CueKind::Prepare, CuePriority::Prepare, kPrepareSeconds);
         if (distanceIsGood()) cue.distanceM = measured;
         cue.hour = hourTo(next);
+        cue.mark = mark(next);
         addManoeuvre(std::move(cue), next, m_progress.afterNext);
     } else {
         tellReassurance(expected);
@@ -359,7 +499,7 @@ void CueStep::tellUnmeasured(const Manoeuvre& next) {
 }
 
 void CueStep::tellReassurance(double aheadM) {
-    if (aheadM <= m_options.prepareDistanceM || age() > kReassureEvidenceSeconds) return;
+    if (aheadM <= m_options.prepareDistanceM + kNoReassuranceM || age() > kReassureEvidenceSeconds) return;
     bool far = m_memory.remainingWhenTold && m_progress.remainingM &&
                *m_memory.remainingWhenTold - *m_progress.remainingM >= m_options.reassureEveryM;
     bool late = !(m_memory.remainingWhenTold && m_progress.remainingM) && m_memory.routeToldAt &&
@@ -370,121 +510,6 @@ void CueStep::tellReassurance(double aheadM) {
     cue.validIn = {*m_fix.region};
     nameRegion(cue, m_progress.next->into);
     add(std::move(cue));
-}
-
-namespace {
-
-/// Empty: the look around is over and found nothing.
-std::optional<SweepStep> following(SweepStep step) {
-    switch (step) {
-    case SweepStep::Right:
-        return SweepStep::Left;
-    case SweepStep::Left:
-        return SweepStep::Up;
-    case SweepStep::Up:
-        return SweepStep::Down;
-    case SweepStep::Down:
-        return SweepStep::AskForHelp;
-    case SweepStep::None:
-    case SweepStep::AskForHelp:
-    case SweepStep::Done:
-        break;
-    }
-    return std::nullopt;
-}
-
-} // namespace
-
-void CueStep::tellSweep(SweepStep step) {
-    m_memory.sweep = SchedulerMemory::Sweep{step, m_fix.time};
-    Cue cue = cueOf(CueKind::Unsure, CuePriority::OffRoute, kUnsureSeconds);
-    cue.sweep = step;
-    cue.detail = m_fix.note;
-    add(std::move(cue));
-}
-
-/// Unsure is also who was seen where the route does not expect it, once only: looking around settles it.
-void CueStep::tellUnsure() {
-    bool underWay = m_progress.route && m_progress.travel == Travel::OnRoute;
-    bool asExpected = !underWay || m_fix.region == m_progress.route->regions[m_progress.regionsPassed];
-    if (m_usable && asExpected) {
-        // Who was just told to turn has to be told to stop turning, at once.
-        bool turning = m_memory.sweep && following(m_memory.sweep->step) &&
-                       m_fix.time - m_memory.sweep->toldAt <= 2.0 * m_options.sweepStepSeconds;
-        if (turning) tellSweep(SweepStep::Done);
-        m_memory.unusableSince.reset();
-        m_memory.sweep.reset();
-        return;
-    }
-    if (!m_memory.unusableSince) m_memory.unusableSince = m_fix.time;
-    if (m_fix.time - *m_memory.unusableSince < m_options.unsureAfterSeconds) return;
-    if (!m_memory.sweep) {
-        tellSweep(SweepStep::Right);
-        return;
-    }
-    // Without a destination nobody waits for directions: asked once, not led through a look around.
-    if (m_progress.destination.empty()) return;
-    double since = m_fix.time - m_memory.sweep->toldAt;
-    std::optional<SweepStep> next = following(m_memory.sweep->step);
-    if (next && since >= m_options.sweepStepSeconds) tellSweep(*next);
-    if (!next && since >= m_options.unsureRepeatSeconds) tellSweep(SweepStep::Right);
-}
-
-/// Where the user is, when that changed and no instruction says it already.
-void CueStep::tellRegion() {
-    if (!m_usable) return;
-    const RegionId& region = *m_fix.region;
-    SchedulerMemory::Candidate& candidate = m_memory.candidate;
-    if (candidate.region != region)
-        candidate = {region, m_fix.evidenceTime, 1};
-    else if (candidate.evidenceTime != m_fix.evidenceTime) {
-        candidate.evidenceTime = m_fix.evidenceTime;
-        ++candidate.fixes;
-    }
-    if (m_memory.located == region) return;
-    if (m_routeTold) {
-        m_memory.located = region;
-        m_memory.locatedAt[region] = m_fix.time;
-        return;
-    }
-    if (!m_sure && candidate.fixes < 2) return;
-    m_memory.located = region;
-    auto recent = [&](const std::map<RegionId, double>& times, double seconds) {
-        auto found = times.find(region);
-        return found != times.end() && m_fix.time - found->second < seconds;
-    };
-    bool isKnown = recent(m_memory.announcedInto, kAnnouncedIntoSeconds) ||
-                   recent(m_memory.locatedAt, m_options.repeatAfterSeconds);
-    m_memory.locatedAt[region] = m_fix.time;
-    if (isKnown) return;
-    Cue cue = cueOf(CueKind::Located, CuePriority::Detection, kLocatedSeconds);
-    nameRegion(cue, region);
-    const building::Region* known = m_building.region(region);
-    if (known != nullptr && m_building.levels().size() > 1) cue.levelName = levelName(known->level, false);
-    cue.validIn = {region};
-    add(std::move(cue));
-}
-
-void CueStep::tellObjects(const std::vector<localisation::Observation>& fresh) {
-    if (m_options.verbosity == Verbosity::Directions) return;
-    for (const localisation::Observation& observation : fresh) {
-        const recognition::Detection& seen = observation.detection;
-        bool isText = seen.kind == Kind::Text;
-        if (seen.kind == Kind::Place || (isText && m_options.verbosity != Verbosity::ObjectsAndTexts))
-            continue;
-        if (isText && seen.text.empty()) continue;
-        std::string key(kindName(seen.kind));
-        key += " " + seen.templateId.value + " " + foldedForMatching(seen.text);
-        if (toldRecently(m_memory.objectsToldAt, key, m_options.objectRepeatSeconds)) continue;
-        m_memory.objectsToldAt[key] = m_fix.time;
-        Cue cue = cueOf(isText ? CueKind::Text : CueKind::Detection, CuePriority::Detection,
-                        isText ? kTextSeconds : kDetectionSeconds);
-        cue.objectKind = seen.kind;
-        cue.zone = seen.zone();
-        cue.text = seen.text;
-        cue.sure = seen.score >= kSureScore;
-        add(std::move(cue));
-    }
 }
 
 } // namespace farol::guidance

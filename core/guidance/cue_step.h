@@ -5,6 +5,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,8 @@ struct SchedulerMemory {
     double enteredAt = 0.0;
     std::map<std::string, double> told;      ///< manoeuvre -> when, as main or second part of a cue
     std::map<std::string, double> acted;     ///< manoeuvre -> when it was told to be done now
+    std::set<std::string> prepared;          ///< announced when they came near, or as the next thing
+    std::optional<double> startedAt;         ///< when the beginning of the route was told
     std::optional<double> routeToldAt;       ///< any cue of the route
     std::optional<double> remainingWhenTold; ///< metres to the destination then
     std::optional<double> arrivedToldAt;
@@ -45,6 +48,9 @@ struct SchedulerMemory {
     };
     Candidate candidate;
     std::map<std::string, double> objectsToldAt;
+    bool facesWay = false; ///< seen to walk along the present route, or come through one of its accesses
+    bool known = false;    ///< the place was known with confidence
+    std::optional<double> chimedAt;
 };
 
 class CueStep {
@@ -57,9 +63,25 @@ public:
     void tellSweep(SweepStep step);
     void tellRegion();
     void tellObjects(const std::vector<localisation::Observation>& fresh);
+    void addChimes();
     std::vector<Cue> takeCues() { return std::move(m_cues); }
+    /// Changes nothing of what is remembered.
+    Cue answer(Question question) const;
 
 private:
+    Cue answerWhere() const;
+    Cue answerAround() const;
+    Cue answerNext() const;
+    Cue answerList(bool whole) const;
+    Cue answerRefusal() const;
+    Cue lookAround() const;
+    Bearing bearing(Radians& zero) const;
+    std::vector<Surrounding> accessesAround(std::size_t region, Bearing bearing, Radians zero) const;
+    std::vector<Surrounding> landmarksAround(std::size_t region, Bearing bearing, Radians zero) const;
+    void place(Surrounding& what, Point2 position, Bearing bearing, Radians zero) const;
+    std::vector<Cue> stepsFrom(std::size_t first, bool fromHere) const;
+    Cue arrivalCue() const;
+
     void tellRefusal();
     void tellArrival();
     void tellStart();
@@ -72,8 +94,19 @@ private:
     Cue routeCue(CueKind kind, CuePriority priority, double seconds) const;
     void addManoeuvre(Cue cue, const routing::Manoeuvre& manoeuvre,
                       const std::optional<routing::Manoeuvre>& after);
+    void fillManoeuvre(Cue& cue, const routing::Manoeuvre& manoeuvre,
+                       const std::optional<routing::Manoeuvre>& after) const;
+    void setShortSide(routing::Manoeuvre& manoeuvre) const;
+    void countDoors(routing::Manoeuvre& manoeuvre) const;
+    bool waitsForCount(const routing::Manoeuvre& manoeuvre) const;
+    std::optional<Mark> mark(const routing::Manoeuvre& manoeuvre) const;
+    bool staysInLift(const routing::Manoeuvre& manoeuvre) const;
+    bool placeIsGood() const;
+    bool facesWay() const;
+    std::optional<Radians> facing() const;
     void add(Cue cue);
     void nameRegion(Cue& cue, const RegionId& region) const;
+    std::string nameOf(const RegionId& region) const;
     std::string levelName(double ordinal, bool asOnButtons) const;
     std::optional<double> legLength(const routing::Manoeuvre& manoeuvre) const;
     std::optional<Radians> turnFirst() const;

@@ -29,21 +29,14 @@ std::size_t vertexOf(const Route& route, const Manoeuvre& manoeuvre, std::size_t
     return best;
 }
 
-/// Walking distance from the spot of the line nearest to `p` to the line's end.
-double distanceToEnd(const std::vector<PathPoint>& path, std::size_t first, std::size_t last, Point2 p) {
-    double bestGap = std::numeric_limits<double>::infinity(), result = 0.0, toEnd = 0.0;
-    for (std::size_t i = last; i > first; --i) {
-        Point2 a = path[i - 1].position, b = path[i].position;
-        Point2 nearest = nearestOnSegment(p, a, b);
-        double gap = distance(p, nearest);
-        if (gap < bestGap) {
-            bestGap = gap;
-            result = toEnd + distance(nearest, b);
-        }
-        toEnd += distance(a, b);
-    }
-    return result;
-}
+/// Who is this far from where the way would have him, and farther with every observation, does not follow it.
+constexpr double kAstrayM = 3.0;
+constexpr double kSigmasAstray = 2.5;
+constexpr double kGoodSigmaM = 1.6;
+constexpr double kSureConfidence = 0.5;
+constexpr double kStepM = 0.3;      // of a walker, between two observations that count
+constexpr double kDirectionM = 1.0; // from so far on a displacement has a direction
+constexpr int kObservationsAstray = 2;
 
 } // namespace
 
@@ -98,10 +91,13 @@ void RouteTracker::setDestination(const std::optional<building::Location>& desti
     m_doubtfulFixes = 0;
     m_doubtCounted.reset();
     m_refusedFrom.reset();
+    m_trail = {};
 }
 
 Progress RouteTracker::update(const Fix& fix) {
     m_progress.replanned = false;
+    m_progress.deviation = Deviation::LeftRoute;
+    m_progress.walking.reset();
     m_progress.distanceM.reset();
     m_progress.remainingM.reset();
     if (!m_destination) return m_progress;
@@ -119,10 +115,12 @@ Progress RouteTracker::update(const Fix& fix) {
         }
         return m_progress;
     }
-    if (m_progress.route)
+    if (m_progress.route) {
         follow(fix);
-    else if (m_refusedFrom != fix.region)
+        if (m_progress.route) watch(fix);
+    } else if (m_refusedFrom != fix.region) {
         plan(fix);
+    }
     describeNext(fix);
     return m_progress;
 }
@@ -200,6 +198,7 @@ void RouteTracker::plan(const Fix& fix) {
         return;
     }
     m_refusedFrom.reset();
+    m_trail = {};
     m_progress.reason.clear();
     m_progress.route = std::make_shared<const Route>(std::move(planned).value());
     m_progress.regionsPassed = 0;
@@ -226,7 +225,15 @@ void RouteTracker::assignManoeuvres() {
     }
 }
 
-std::optional<double> RouteTracker::walkedM(const Fix& fix, std::size_t exit) const {
+/// The spot of the way through the present region that is nearest to the user.
+struct RouteTracker::Foot {
+    double toEndM = 0.0; ///< walking distance from there to the region's exit
+    double gapM = 0.0;
+    bool atEntry = false;  ///< the very first point
+    bool atCorner = false; ///< a later point at which the way bends or the region ends
+};
+
+std::optional<RouteTracker::Foot> RouteTracker::footOf(const Fix& fix, std::size_t exit) const {
     const Route& route = *m_progress.route;
     if (!fix.position || !isFinite(*fix.position) || route.path.empty()) return std::nullopt;
     const Manoeuvre& leaves = route.manoeuvres[exit];
@@ -240,7 +247,80 @@ std::optional<double> RouteTracker::walkedM(const Fix& fix, std::size_t exit) co
         leaves.kind == ManoeuvreKind::Arrive ? route.path.size() - 1 : vertexOf(route, leaves, entry);
     // Behind stairs and lifts the path goes on at the next vertex, on the level of the exit.
     while (entry < end && route.path[entry].level != leaves.level) ++entry;
-    return leaves.atM - distanceToEnd(route.path, entry, end, *fix.position);
+    Foot foot;
+    foot.gapM = std::numeric_limits<double>::infinity();
+    double toEnd = 0.0;
+    for (std::size_t i = end; i > entry; --i) {
+        Point2 a = route.path[i - 1].position, b = route.path[i].position;
+        Point2 nearest = nearestOnSegment(*fix.position, a, b);
+        double gap = distance(*fix.position, nearest);
+        if (gap < foot.gapM)
+            foot = {toEnd + distance(nearest, b), gap, i - 1 == entry && nearest == a, nearest == b};
+        toEnd += distance(a, b);
+    }
+    if (end == entry) foot = {0.0, distance(*fix.position, route.path[end].position), false, true};
+    return foot;
+}
+
+std::optional<double> RouteTracker::walkedM(const Fix& fix, std::size_t exit) const {
+    auto foot = footOf(fix, exit);
+    if (!foot) return std::nullopt;
+    return m_progress.route->manoeuvres[exit].atM - foot->toEndM;
+}
+
+/// The manoeuvre that leads out of a region of the route.
+std::optional<std::size_t> RouteTracker::exitOf(std::size_t region) const {
+    const std::vector<Manoeuvre>& manoeuvres = m_progress.route->manoeuvres;
+    for (std::size_t i = 0; i < manoeuvres.size(); ++i) {
+        bool leaves = manoeuvres[i].kind != ManoeuvreKind::Start && manoeuvres[i].kind != ManoeuvreKind::Turn;
+        if (leaves && m_regionOf[i] && *m_regionOf[i] >= region) return i;
+    }
+    return std::nullopt;
+}
+
+/// Walks the user away from the way without leaving its regions? Backwards, or past the door or the bend.
+/// Across a hall one may walk as one likes.
+std::optional<Deviation> RouteTracker::straying(const Fix& fix) {
+    bool counts = fix.position && fix.sigmaM <= kGoodSigmaM && fix.confidence >= kSureConfidence &&
+                  *fix.region == m_progress.route->regions[m_progress.regionsPassed];
+    if (!counts || m_trail.evidenceTime == fix.evidenceTime) return std::nullopt;
+    auto exit = exitOf(m_progress.regionsPassed);
+    auto foot = exit ? footOf(fix, *exit) : std::nullopt;
+    if (!foot) return std::nullopt;
+    double walked = m_progress.route->manoeuvres[*exit].atM - foot->toEndM;
+    double limit = std::max(kAstrayM, kSigmasAstray * fix.sigmaM);
+    bool moved = !m_trail.last || distance(*m_trail.last, *fix.position) >= kStepM;
+    bool back = walked < m_trail.farthestM - limit;
+    bool away = foot->gapM >= limit && foot->gapM > m_trail.gapM && (foot->atEntry || foot->atCorner);
+    m_trail.farthestM = std::max(m_trail.farthestM, walked);
+    if (!back && !(foot->gapM >= kDirectionM && foot->gapM > m_trail.gapM) &&
+        m_trail.farthestM <= walked + kStepM)
+        m_trail.walkedFrom = fix.position;
+    if (!m_trail.walkedFrom) m_trail.walkedFrom = fix.position;
+    m_trail.evidenceTime = fix.evidenceTime;
+    m_trail.gapM = foot->gapM;
+    m_trail.last = fix.position;
+    m_trail.astray = (back || away) && moved ? m_trail.astray + 1 : back || away ? m_trail.astray : 0;
+    if (m_trail.astray < kObservationsAstray) return std::nullopt;
+    return back || foot->atEntry ? Deviation::WrongWay : Deviation::Missed;
+}
+
+/// A way that the user does not follow is given up for one from where he is.
+void RouteTracker::watch(const Fix& fix) {
+    if (m_progress.travel != Travel::OnRoute) {
+        m_trail = {};
+        return;
+    }
+    auto deviation = straying(fix);
+    if (!deviation) return;
+    std::optional<Radians> walking;
+    if (m_trail.walkedFrom && distance(*m_trail.walkedFrom, *fix.position) >= kDirectionM)
+        walking = directionOf(*fix.position - *m_trail.walkedFrom);
+    plan(fix);
+    m_progress.replanned = true;
+    m_progress.deviation = *deviation;
+    m_progress.walking = walking;
+    if (m_progress.travel == Travel::OnRoute) m_progress.travel = Travel::OffRoute;
 }
 
 void RouteTracker::describeNext(const Fix& fix) {

@@ -17,10 +17,12 @@ struct Progress {
     std::size_t regionsPassed = 0;          ///< index into route->regions of the current region
     std::optional<routing::Manoeuvre> next; ///< the next thing to do
     std::optional<routing::Manoeuvre> afterNext;
-    std::optional<double> distanceM;  ///< to it; only with a position
-    std::optional<double> remainingM; ///< to the destination; only with a position
-    bool replanned = false;           ///< in this very step, because the route was left
-    std::string reason;               ///< why there is no route
+    std::optional<double> distanceM;            ///< to it; only with a position
+    std::optional<double> remainingM;           ///< to the destination; only with a position
+    bool replanned = false;                     ///< in this very step, because the route was left
+    Deviation deviation = Deviation::LeftRoute; ///< of `replanned`: how
+    std::optional<Radians> walking; ///< of `replanned`: the way of walking that was seen to be wrong
+    std::string reason;             ///< why there is no route
 };
 
 std::string travelName(Travel travel);
@@ -54,6 +56,8 @@ public:
 private:
     void follow(const localisation::Fix& fix);
     bool believed(const localisation::Fix& fix);
+    void watch(const localisation::Fix& fix);
+    std::optional<Deviation> straying(const localisation::Fix& fix);
     void plan(const localisation::Fix& fix);
     void refuse(const std::string& reason);
     void settle();
@@ -62,6 +66,9 @@ private:
     void assignManoeuvres();
     /// How far along the route the fix is, as Manoeuvre::atM counts; empty without a usable position.
     std::optional<double> walkedM(const localisation::Fix& fix, std::size_t exit) const;
+    std::optional<std::size_t> exitOf(std::size_t region) const;
+    struct Foot;
+    std::optional<Foot> footOf(const localisation::Fix& fix, std::size_t exit) const;
 
     std::shared_ptr<const building::Building> m_building;
     std::shared_ptr<const routing::Planner> m_planner;
@@ -72,6 +79,16 @@ private:
     int m_doubtfulFixes = 0;                            ///< in a row, off the route or jumping along it
     std::optional<double> m_doubtCounted;               ///< evidenceTime of the last of them
     std::optional<RegionId> m_refusedFrom;              ///< planning from there failed
+
+    /// Of the present route: how well the positions follow it.
+    struct Trail {
+        std::optional<double> evidenceTime;     ///< of the last position that counted
+        std::optional<Point2> last, walkedFrom; ///< walkedFrom: where the user began to stray
+        double farthestM = 0.0;
+        double gapM = 0.0;
+        int astray = 0; ///< observations in a row
+    };
+    Trail m_trail;
 };
 
 } // namespace farol::guidance

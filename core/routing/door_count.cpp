@@ -13,6 +13,7 @@ namespace {
 constexpr double kOnWallM = 0.35;       // a door stands in a wall this near, which may be thick
 constexpr double kLeastWayM = 1.5;      // shorter, nobody walks along a wall
 constexpr double kFurthestAsideM = 3.0; // from a wall further off, its doors are not noticed
+constexpr double kAlongWall = 0.7;      // cosine: a line that lies in its wall, about
 constexpr double kHereM = 0.5;          // what is this near to where one sets out is behind one already
 
 struct Wall {
@@ -65,6 +66,19 @@ std::optional<DoorCount> countDoors(const building::Building& building, std::siz
             ++count.number;
     }
     return count;
+}
+
+std::optional<Point2> directionThrough(const Polygon& region, const Access& access) {
+    auto wall = wallOf(region, access);
+    if (!wall) return std::nullopt;
+    Point2 out{wall->along.y, -wall->along.x};
+    if (access.line.size() < 2) return out;
+    Point2 line = access.line.back() - access.line.front();
+    if (length(line) < 1e-6) return out;
+    Point2 across = Point2{-line.y, line.x} * (1.0 / length(line));
+    // A door drawn across its wall instead of in it says nothing of the way through.
+    if (std::abs(dot(across, out)) < kAlongWall) return out;
+    return dot(across, out) > 0.0 ? across : across * -1.0;
 }
 
 } // namespace farol::routing

@@ -18,4 +18,8 @@ struct DoorCount {
 std::optional<DoorCount> countDoors(const building::Building& building, std::size_t region,
                                     const building::Access& access, Point2 from);
 
+/// The direction straight through the access out of the region, from its own line or the wall it stands in;
+/// its length is 1. Empty where neither tells it.
+std::optional<Point2> directionThrough(const Polygon& region, const building::Access& access);
+
 } // namespace farol::routing

@@ -42,9 +42,14 @@ private:
     void clustersOfBends(std::size_t from, std::size_t to, std::vector<Cluster>& found) const;
     std::size_t absorbed(std::size_t portal, bool forward) const;
     Point2 pointAt(double flat) const;
-    Radians turnOf(const Cluster& cluster, double low, double high) const;
+    struct Bend {
+        Radians turn;
+        std::optional<Radians> behind; ///< of an access
+    };
+    Bend bendOf(const Cluster& cluster, double low, double high) const;
+    std::optional<Radians> behindAccess(std::size_t portal, Point2 out) const;
     double bendAt(std::size_t i) const;
-    Manoeuvre passing(std::size_t portal, Radians turn) const;
+    Manoeuvre passing(std::size_t portal, const Bend& bend) const;
     Manoeuvre end(ManoeuvreKind kind) const;
     double climbOf(std::size_t portal) const;
     bool changesLevel(std::size_t portal) const;
@@ -153,7 +158,7 @@ Point2 PathWalk::pointAt(double flat) const {
 
 /// From the direction before the cluster to the one after it; directions are not taken beyond `low` and
 /// `high`, where the neighbouring clusters are.
-Radians PathWalk::turnOf(const Cluster& cluster, double low, double high) const {
+PathWalk::Bend PathWalk::bendOf(const Cluster& cluster, double low, double high) const {
     double begin = m_flat[cluster.first];
     double finish = m_flat[cluster.last];
     double back = std::clamp(begin - low, kLeastAveragedM, kAveragedM);
@@ -174,7 +179,17 @@ Radians PathWalk::turnOf(const Cluster& cluster, double low, double high) const 
     double bends = 0.0;
     for (std::size_t i = cluster.first; i <= cluster.last; ++i) bends += bendAt(i);
     if (std::abs(bends - turn) > kPi) turn = std::copysign(kPi, bends);
-    return {turn};
+    return {{turn}, cluster.portal ? behindAccess(*cluster.portal, out) : std::nullopt};
+}
+
+std::optional<Radians> PathWalk::behindAccess(std::size_t portal, Point2 out) const {
+    const Access* access = m_building.access(m_route.accesses[portal]);
+    const Region* from = m_building.region(m_route.regions[portal]);
+    if (access == nullptr || from == nullptr || changesLevel(portal)) return std::nullopt;
+    if (access->kind != AccessKind::Door && access->kind != AccessKind::Opening) return std::nullopt;
+    auto through = directionThrough(from->polygon, *access);
+    if (!through) return std::nullopt;
+    return wrapped(directionOf(out) - directionOf(*through));
 }
 
 Manoeuvre PathWalk::end(ManoeuvreKind kind) const {
@@ -246,13 +261,14 @@ void PathWalk::addDoorCount(std::size_t portal, Manoeuvre& manoeuvre) const {
     manoeuvre.number = count->number;
 }
 
-Manoeuvre PathWalk::passing(std::size_t portal, Radians turn) const {
+Manoeuvre PathWalk::passing(std::size_t portal, const Bend& bend) const {
     Manoeuvre manoeuvre;
     manoeuvre.access = m_route.accesses[portal];
     manoeuvre.from = m_route.regions[portal];
     manoeuvre.into = m_route.regions[lastOfRide(portal) + 1];
     manoeuvre.position = m_route.path[m_portals[portal]].position;
-    manoeuvre.turn = turn;
+    manoeuvre.turn = bend.turn;
+    manoeuvre.behind = bend.behind;
     manoeuvre.atM = m_at[m_portals[portal]];
     manoeuvre.level = manoeuvre.targetLevel = m_route.path[m_portals[portal]].level;
     if (const Region* into = m_building.region(manoeuvre.into)) manoeuvre.targetLevel = into->level;
@@ -277,17 +293,17 @@ std::vector<Manoeuvre> PathWalk::manoeuvres() const {
     for (std::size_t i = 0; i < all.size(); ++i) {
         double low = i == 0 ? 0.0 : m_flat[all[i - 1].last];
         double high = i + 1 == all.size() ? m_flat.back() : m_flat[all[i + 1].first];
-        Radians turn = turnOf(all[i], low, high);
+        Bend bend = bendOf(all[i], low, high);
         if (all[i].portal) {
-            list.push_back(passing(*all[i].portal, turn));
+            list.push_back(passing(*all[i].portal, bend));
             region = *all[i].portal + 1;
-        } else if (std::abs(turn.value) >= kTurnRadians) {
+        } else if (std::abs(bend.turn.value) >= kTurnRadians) {
             Manoeuvre manoeuvre;
             manoeuvre.kind = ManoeuvreKind::Turn;
             manoeuvre.from = manoeuvre.into = m_route.regions[region];
             manoeuvre.position = m_route.path[all[i].at].position;
             manoeuvre.level = manoeuvre.targetLevel = m_route.path[all[i].at].level;
-            manoeuvre.turn = turn;
+            manoeuvre.turn = bend.turn;
             manoeuvre.atM = m_at[all[i].at];
             list.push_back(manoeuvre);
         }

@@ -38,6 +38,9 @@ struct Manoeuvre {
     /// there, counted from where one began to walk that way.
     Side side = Side::None;
     int number = 0;
+    /// Of a door or opening: how the way goes on behind it, from straight through (counter-clockwise); the
+    /// rest of `turn` is the turn towards it. Empty where the map does not tell how it stands.
+    std::optional<Radians> behind{};
     double atM = 0.0; ///< walking distance from the start of the route
 };
 

@@ -113,6 +113,7 @@ Json manoeuvreJson(const routing::Manoeuvre& manoeuvre) {
     bool counted = manoeuvre.side != routing::Side::None;
     json["side"] = !counted ? Json(nullptr) : Json(manoeuvre.side == routing::Side::Left ? "left" : "right");
     json["number"] = counted ? Json(manoeuvre.number) : Json(nullptr);
+    json["behind_deg"] = manoeuvre.behind ? degreesJson(*manoeuvre.behind) : Json(nullptr);
     json["at_m"] = printedNumber(manoeuvre.atM);
     return json;
 }
@@ -156,12 +157,48 @@ const char* priorityName(guidance::CuePriority priority) {
         return "prepare";
     case guidance::CuePriority::Arrival:
         return "arrival";
+    case guidance::CuePriority::Answer:
+        return "answer";
     case guidance::CuePriority::Detection:
         return "detection";
     case guidance::CuePriority::Reassurance:
         break;
     }
     return "reassurance";
+}
+
+Json surroundingJson(const guidance::Surrounding& what) {
+    Json json;
+    json["kind"] = what.access ? routing::manoeuvreKindName(*what.access) : std::string(kindName(what.kind));
+    json["name"] = textOrNull(what.name);
+    if (what.vertical != routing::Vertical::None) json["vertical"] = verticalName(what.vertical);
+    json["direction_deg"] = what.direction ? degreesJson(*what.direction) : Json(nullptr);
+    json["distance_m"] = what.distanceM ? printedNumber(*what.distanceM) : Json(nullptr);
+    return json;
+}
+
+const char* sideName(routing::Side side) {
+    return side == routing::Side::Left ? "left" : side == routing::Side::Right ? "right" : "none";
+}
+
+/// What an answer lists, and what is told beside the manoeuvre.
+void addCueDetails(Json& json, const guidance::Cue& cue) {
+    if (cue.asked) json["asked"] = true;
+    if (cue.chime != guidance::Chime::None) json["chime"] = guidance::chimeName(cue.chime);
+    if (cue.kind == guidance::CueKind::OffRoute) json["deviation"] = guidance::deviationName(cue.deviation);
+    if (cue.manoeuvre && !cue.facingWay) json["facing_way"] = false;
+    if (cue.staying) json["staying"] = true;
+    if (cue.mark) json["after"] = {{"kind", kindName(cue.mark->kind)}, {"side", sideName(cue.mark->side)}};
+    if (cue.kind == guidance::CueKind::Around) {
+        json["bearing"] = guidance::bearingName(cue.bearing);
+        json["around"] = Json::array();
+        for (const guidance::Surrounding& what : cue.around) json["around"].push_back(surroundingJson(what));
+    }
+    if (cue.kind == guidance::CueKind::Itinerary) {
+        json["steps"] = Json::array();
+        for (const guidance::Cue& step : cue.steps)
+            if (step.manoeuvre) json["steps"].push_back(manoeuvreJson(*step.manoeuvre));
+    }
 }
 
 void addCueSubject(Json& json, const guidance::Cue& cue) {
@@ -185,6 +222,7 @@ void addCueSubject(Json& json, const guidance::Cue& cue) {
     if (cue.sweep != guidance::SweepStep::None) json["sweep"] = guidance::sweepStepName(cue.sweep);
     if (cue.reason != guidance::CueReason::None) json["reason"] = guidance::cueReasonName(cue.reason);
     addText("detail", cue.detail);
+    addCueDetails(json, cue);
 }
 
 } // namespace

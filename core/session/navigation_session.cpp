@@ -361,6 +361,10 @@ void NavigationSession::setVerbosity(guidance::Verbosity verbosity) {
     m_impl->inbox.post(Command(VerbosityCommand{verbosity}));
 }
 
+void NavigationSession::ask(guidance::Question question) {
+    m_impl->inbox.post(Command(AskCommand{question}));
+}
+
 void NavigationSession::pause() {
     m_impl->inbox.pause();
 }

@@ -41,7 +41,7 @@ struct SessionOptions {
 /// more. A handler that calls stop() itself only asks for it: the thread cannot wait for its own end.
 struct SessionHandlers {
     std::function<void(const NavigationStep&, const HopTimes&)> step;
-    std::function<void(const guidance::Cue&)> warning; ///< cues from outside the chain
+    std::function<void(const guidance::Cue&)> warning; ///< cues from outside the chain: warnings, answers
     std::function<void(double, std::uint64_t, const std::string&)>
         message; ///< time, frame, text: for the log
     std::function<void(RunState)> state;
@@ -67,6 +67,8 @@ public:
     void setStart(const std::optional<RegionId>& region);
     void setDestination(const std::optional<building::Location>& destination);
     void setVerbosity(guidance::Verbosity verbosity);
+    /// The answer comes as a cue to the `warning` handler, also while paused.
+    void ask(guidance::Question question);
     void pause();
     void resume();
     void stepOnce(); ///< one frame, then paused

@@ -112,6 +112,10 @@ guidance::Cue Navigator::warning(guidance::CueReason reason, std::string detail)
     return m_scheduler.warning(m_lastFrame, m_lastTime, reason, std::move(detail));
 }
 
+guidance::Cue Navigator::answer(guidance::Question question) {
+    return m_scheduler.answer(question, m_lastFrame, m_lastFix, preview());
+}
+
 guidance::Progress Navigator::preview() const {
     static_assert(std::is_copy_constructible_v<guidance::RouteTracker>);
     guidance::RouteTracker copy = m_tracker;

@@ -39,6 +39,8 @@ public:
     /// A percept whose time runs backwards counts as of the time before.
     NavigationStep advance(Percept percept);
     guidance::Cue warning(guidance::CueReason reason, std::string detail);
+    /// For the present place; the walk goes on as if nothing had been asked.
+    guidance::Cue answer(guidance::Question question);
 
     /// What the tracker would say now, without a frame and without changing anything: a destination chosen
     /// while the walk is paused shows its route at once.

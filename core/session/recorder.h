@@ -41,8 +41,11 @@ struct WarningCommand {
 struct MessageCommand {
     std::string text;
 };
-using Command =
-    std::variant<StartCommand, DestinationCommand, VerbosityCommand, WarningCommand, MessageCommand>;
+struct AskCommand {
+    guidance::Question question = guidance::Question::WhereAmI;
+};
+using Command = std::variant<StartCommand, DestinationCommand, VerbosityCommand, WarningCommand,
+                             MessageCommand, AskCommand>;
 using RecordEntry = std::variant<Percept, Command>;
 
 /// Writes as the walk goes, handed to the system once a frame. After a failure (full disk) it stays quiet:
@@ -90,7 +93,7 @@ Result<Recording> parseRecording(const std::string& header, const std::string& w
 /// Replays hops 3 to 6. `options` replaces the recorded ones where given (re-voting with other settings).
 struct ReplayHandlers {
     std::function<void(const NavigationStep&)> step;
-    std::function<void(const guidance::Cue&)> warning;
+    std::function<void(const guidance::Cue&)> warning;                      ///< and answers
     std::function<void(double, std::uint64_t, const std::string&)> message; ///< time, frame, text
 };
 Result<void> replay(const Recording& recording, std::shared_ptr<const building::Building> building,

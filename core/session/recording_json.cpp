@@ -11,6 +11,7 @@ namespace farol::session {
 namespace {
 
 using guidance::CueReason;
+using guidance::Question;
 using guidance::Verbosity;
 
 constexpr int kVersion = 1;
@@ -18,6 +19,8 @@ constexpr std::array<std::pair<Verbosity, const char*>, 3> kVerbosities{
     {{Verbosity::Directions, "directions"},
      {Verbosity::Objects, "objects"},
      {Verbosity::ObjectsAndTexts, "texts"}}};
+constexpr std::array<Question, 6> kQuestions{Question::WhereAmI,  Question::AroundMe, Question::Next,
+                                             Question::Remaining, Question::Repeat,   Question::Preview};
 constexpr std::array<CueReason, 8> kReasons{
     CueReason::None,           CueReason::DestinationUnknown, CueReason::DestinationUnreachable,
     CueReason::CameraLost,     CueReason::CameraBack,         CueReason::RecordingStopped,
@@ -43,6 +46,14 @@ CueReason reasonFrom(JsonFields& fields) {
         if (word == guidance::cueReasonName(reason)) return reason;
     fields.complain("\"reason\" is the unknown word " + word);
     return CueReason::None;
+}
+
+Question questionFrom(JsonFields& fields) {
+    std::string word = fields.text("question");
+    for (Question question : kQuestions)
+        if (word == guidance::questionName(question)) return question;
+    fields.complain("\"question\" is the unknown word " + word);
+    return Question::WhereAmI;
 }
 
 Json routingJson(const routing::RouteOptions& options) {
@@ -157,6 +168,8 @@ Result<RecordLine> commandFrom(JsonFields& fields) {
         command = WarningCommand{reasonFrom(fields), fields.textOr("detail", "")};
     } else if (word == "message") {
         command = MessageCommand{fields.text("text")};
+    } else if (word == "ask") {
+        command = AskCommand{questionFrom(fields)};
     } else {
         fields.complain("has the unknown command " + word);
     }
@@ -239,6 +252,9 @@ Json commandJson(const Command& command) {
     } else if (const auto* message = std::get_if<MessageCommand>(&command)) {
         json["command"] = "message";
         json["text"] = message->text;
+    } else if (const auto* ask = std::get_if<AskCommand>(&command)) {
+        json["command"] = "ask";
+        json["question"] = guidance::questionName(ask->question);
     }
     return json;
 }

@@ -110,6 +110,9 @@ void apply(const Command& command, Navigator& navigator, const ReplayHandlers& h
     } else if (const auto* warning = std::get_if<WarningCommand>(&command)) {
         guidance::Cue cue = navigator.warning(warning->reason, warning->detail);
         if (handlers.warning) handlers.warning(cue);
+    } else if (const auto* ask = std::get_if<AskCommand>(&command)) {
+        guidance::Cue cue = navigator.answer(ask->question);
+        if (handlers.warning) handlers.warning(cue);
     } else if (const auto* message = std::get_if<MessageCommand>(&command)) {
         if (handlers.message) handlers.message(navigator.lastTime(), navigator.lastFrame(), message->text);
     }

@@ -75,6 +75,8 @@ std::vector<Fault> faultsOfRegions() {
         {"region-ref-unique", "B", "correct it",
          [](BuildingData& d) { d.regions[0].ref = d.regions[1].ref = "0.01"; }},
         {"region-named", "C", "", [](BuildingData& d) { d.regions[2].name = d.regions[2].ref = ""; }},
+        {"region-name-sayable", "C", "give it the name",
+         [](BuildingData& d) { d.regions[2].name = "Input name here"; }},
         {"level-listed", "A", "add it", [](BuildingData& d) { d.levels.clear(); }},
         {"kind-known", "A", "known are",
          [](BuildingData& d) {

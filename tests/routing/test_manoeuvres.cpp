@@ -228,6 +228,55 @@ TEST(Manoeuvres, doorsInTheWallAreCounted) {
         << "the door on the other side is no door in a wall one follows";
 }
 
+/// Degrees that the way turns behind each door; 999 where that is not told.
+std::vector<int> behindDoors(const Route& route) {
+    std::vector<int> degrees;
+    for (const Manoeuvre& each : route.manoeuvres)
+        if (!each.access.empty())
+            degrees.push_back(each.behind ? static_cast<int>(std::lround(toDegrees(*each.behind))) : 999);
+    return degrees;
+}
+
+TEST(Manoeuvres, theTurnBehindADoorIsToldApartFromTheOneTowardsIt) {
+    AsciiMap map;
+    map.floor(R"(
+        +---------+---------+
+        |A        |B        |
+        |    1    |    2    |
+        +----/----+----/----+
+        |K                  |
+        |                   |
+        +-/-----------------+
+        |C                  |
+        |                  3|
+        +-------------------+
+    )");
+    auto building = map.build();
+    auto planner = makeOptimalPlanner(building);
+    Route route = *planner->plan(map.spot('1'), map.spot('2'));
+    EXPECT_THAT(behindDoors(route), ElementsAre(90, 0)) << "out of A to the left, and straight into B";
+    EXPECT_EQ(route.manoeuvres[2].side, Side::Left);
+    route = *planner->plan(map.spot('2'), map.spot('1'));
+    EXPECT_THAT(behindDoors(route), ElementsAre(-90, 0));
+    // Towards the door of C one turns left, behind it left again along its corridor-like floor.
+    route = *planner->plan(map.spot('1'), map.spot('3'));
+    ASSERT_EQ(behindDoors(route).size(), 2U);
+    EXPECT_EQ(behindDoors(route).back(), 90);
+}
+
+TEST(Manoeuvres, aDoorWithoutAWallTellsNoTurnBehind) {
+    AsciiMap map;
+    map.floor("+---+---+\n|A 1/B 2|\n|   |   |\n+---+---+");
+    building::BuildingData data = map.data();
+    data.accesses[0].line = {Point2{2.0, 1.5}}; // a point in the middle of the room
+    auto building = std::make_shared<const Building>(std::move(data));
+    auto planner = makeOptimalPlanner(building);
+    auto route = planner->plan(map.spot('1'), map.spot('2'));
+    if (route) {
+        EXPECT_THAT(behindDoors(*route), ElementsAre(999));
+    }
+}
+
 TEST(Manoeuvres, countingBeginsAgainAfterATurn) {
     AsciiMap map;
     map.floor(R"(

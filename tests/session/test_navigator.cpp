@@ -82,6 +82,30 @@ TEST(Navigator, ALookAheadChangesNothing) {
     EXPECT_EQ(a.text, b.text);
 }
 
+TEST(Navigator, AnswersAreForThePresentPlaceAndChangeNothing) {
+    auto asked = navigator(), silent = navigator();
+    for (auto* walk : {asked.get(), silent.get()}) {
+        walk->start(0.0, RegionId("A"));
+        walk->setDestination(room("C"));
+    }
+    guidance::Cue before = asked->answer(guidance::Question::Preview);
+    EXPECT_EQ(before.kind, guidance::CueKind::Itinerary) << "before the first frame";
+    EXPECT_EQ(before.steps.size(), 2U);
+    std::vector<std::string> told[2];
+    for (const Percept& percept : test::walkThroughTheRooms()) {
+        for (const guidance::Cue& cue : asked->advance(percept).cues)
+            told[0].push_back(cueKindName(cue.kind));
+        for (const guidance::Cue& cue : silent->advance(percept).cues)
+            told[1].push_back(cueKindName(cue.kind));
+        for (auto question :
+             {guidance::Question::WhereAmI, guidance::Question::AroundMe, guidance::Question::Next,
+              guidance::Question::Remaining, guidance::Question::Repeat})
+            EXPECT_TRUE(asked->answer(question).asked);
+    }
+    EXPECT_EQ(told[0], told[1]);
+    EXPECT_EQ(asked->answer(guidance::Question::WhereAmI).region.value, "C");
+}
+
 TEST(Navigator, ANewStartForgetsWhatWasSeen) {
     auto walk = navigator();
     walk->start(0.0, RegionId("A"));

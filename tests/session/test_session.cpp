@@ -365,6 +365,8 @@ TEST(Session, ARecordedWalkReplaysToTheByteWithItsCommandsAndWarnings) {
     std::unique_ptr<NavigationSession> session;
     walk.onStep = [&](std::uint64_t frame) {
         if (frame == 3) session->setDestination(room("C"));
+        if (frame == 4) session->ask(guidance::Question::Remaining);
+        if (frame == 5) session->ask(guidance::Question::AroundMe);
         if (frame == 6) session->setVerbosity(guidance::Verbosity::Directions);
         if (frame == 8) session->setStart(RegionId("B"));
         if (frame == 9) session->setDestination(std::nullopt);

@@ -217,6 +217,73 @@ void addDetections(std::vector<NamedCue>& list) {
     list.push_back({"text, a notice", text, false});
 }
 
+Manoeuvre doorOn(routing::Side side, int number, double behindDegrees) {
+    Manoeuvre door = at(ManoeuvreKind::Door, (side == routing::Side::Left ? 90.0 : -90.0) + behindDegrees);
+    door.side = side;
+    door.number = number;
+    door.behind = fromDegrees(behindDegrees);
+    return door;
+}
+
+void addCountedDoors(std::vector<NamedCue>& list) {
+    Cue cue =
+        with(cueOf(CueKind::Prepare, doorOn(routing::Side::Left, 3, 0.0), "Library"), std::nullopt, 6.0);
+    cue.routeVersion = 1;
+    list.push_back({"third door on the left", cue, true});
+    cue.mark = guidance::Mark{Kind::Extinguisher, routing::Side::Right};
+    list.push_back({"door after the extinguisher", cue, true});
+    cue.mark.reset();
+    cue.facingWay = false;
+    list.push_back({"door, facing unknown", cue, false});
+    cue = cueOf(CueKind::Act, doorOn(routing::Side::Right, 1, -90.0), "Corridor B");
+    cue.routeVersion = 1;
+    list.push_back({"door on the right, then right", cue, true});
+    cue.manoeuvre->side = routing::Side::None;
+    cue.manoeuvre->turn = cue.manoeuvre->behind.value();
+    list.push_back({"door ahead, then right", cue, true});
+    cue = toLevel(cueOf(CueKind::Act, at(ManoeuvreKind::Elevator, 0, Vertical::Up)), "3");
+    cue.staying = true;
+    list.push_back({"in the lift already", cue, false});
+    cue = cueOf(CueKind::OffRoute, doorOn(routing::Side::Right, 1, 0.0), "Library");
+    cue.turnFirst = fromDegrees(175.0);
+    cue.deviation = guidance::Deviation::WrongWay;
+    list.push_back({"the wrong way", cue, true});
+    cue.deviation = guidance::Deviation::Missed;
+    list.push_back({"too far", cue, false});
+}
+
+void addAnswers(std::vector<NamedCue>& list) {
+    Cue around = about(CueKind::Around, "Corridor B");
+    guidance::Surrounding door, other, thing;
+    door.access = other.access = ManoeuvreKind::Door;
+    door.name = "Library";
+    door.direction = fromDegrees(90.0);
+    other.behind = building::RegionKind::Toilet;
+    other.direction = fromDegrees(-90.0);
+    thing.kind = Kind::Extinguisher;
+    thing.direction = fromDegrees(95.0);
+    around.around = {door, other, thing};
+    for (auto bearing : {guidance::Bearing::Facing, guidance::Bearing::AlongWay, guidance::Bearing::Map}) {
+        around.bearing = bearing;
+        list.push_back({QStringLiteral("around, ") + QString::fromStdString(bearingName(bearing)), around,
+                        bearing == guidance::Bearing::Facing});
+    }
+    around.around.clear();
+    list.push_back({"around, nothing", around, false});
+    Cue route = with(about(CueKind::Itinerary, "Library"), std::nullopt, 31.0);
+    route.steps = {
+        cueOf(CueKind::Act, at(ManoeuvreKind::Turn, 90)),
+        toLevel(cueOf(CueKind::Act, at(ManoeuvreKind::Stairs, 0, Vertical::Up, 9)), "2"),
+        then(cueOf(CueKind::Act, doorOn(routing::Side::Left, 2, 0.0), "Library"), at(ManoeuvreKind::Arrive))};
+    list.push_back({"itinerary", route, true});
+    route.steps.insert(route.steps.end(), 8, route.steps.front());
+    list.push_back({"itinerary, long", route, false});
+    list.push_back({"no destination", about(CueKind::NoRoute, "", CueReason::NoDestination), false});
+    Cue unnamed = toLevel(about(CueKind::Located, ""), "2");
+    unnamed.regionKind = building::RegionKind::Corridor;
+    list.push_back({"located, no name", unnamed, false});
+}
+
 } // namespace
 
 std::vector<NamedCue> representativeCues() {
@@ -227,6 +294,8 @@ std::vector<NamedCue> representativeCues() {
     addDirections(list);
     addState(list);
     addDetections(list);
+    addCountedDoors(list);
+    addAnswers(list);
     return list;
 }
 

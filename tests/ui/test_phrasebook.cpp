@@ -101,7 +101,7 @@ void TestPhrasebook::sentencesKeepTheRules() {
         QVERIFY2(said.text.endsWith(QLatin1Char('.')), what);
         QVERIFY2(!said.text.contains(QRegularExpression(QStringLiteral("\\.\\.|  |,\\.|:\\.| [.,:]"))), what);
         QVERIFY2(said.text.at(0).isUpper() || said.text.at(0).isDigit(), what);
-        QVERIFY2(said.text.size() <= 160, what);
+        QVERIFY2(said.text.size() <= 160 || said.cue.kind == CueKind::Itinerary, what);
         QVERIFY2(!jargon.match(said.text).hasMatch(), what);
     }
 }
@@ -125,7 +125,7 @@ void TestPhrasebook::portugueseHoldsNoEnglish() {
             "\\b(the|you|your|is|and|then|turn|left|right|up|down|door|stairs|lift|go|take|of|it|probably|"
             "ahead|"
             "metre|metres|step|steps|soon|first|next|at|from|behind|clock|degrees|level|choose|where)\\b"),
-        QRegularExpression::CaseInsensitiveOption);
+        QRegularExpression::CaseInsensitiveOption | QRegularExpression::UseUnicodePropertiesOption);
     for (Said& said : everything()) {
         if (said.cue.kind == CueKind::Text) continue; // read from a wall, in the wall's language
         QVERIFY2(!english.match(said.text).hasMatch(), said.text.toUtf8());
@@ -143,7 +143,7 @@ void TestPhrasebook::namesFromTheMapAreLeftAlone() {
     cue.manoeuvre.emplace().kind = farol::routing::ManoeuvreKind::Door;
     cue.intoName = "%2 Gabinete do Senhor Reitor";
     QCOMPARE(Phrasebook().sentence(cue),
-             QStringLiteral("Go through the door and straight on. Next: %2 Gabinete do Senhor Reitor."));
+             QStringLiteral("Go through the door. Next: %2 Gabinete do Senhor Reitor."));
 }
 
 void TestPhrasebook::distancesAreRounded_data() {
@@ -174,12 +174,12 @@ void TestPhrasebook::brokenNumbersAreNotSpoken() {
     cue.manoeuvre->turn = {qQNaN()};
     for (double metres : {qQNaN(), qInf(), -3.0}) {
         cue.distanceM = metres;
-        QCOMPARE(Phrasebook().sentence(cue), QStringLiteral("Soon: a door. Go through it."));
+        QCOMPARE(Phrasebook().sentence(cue), QStringLiteral("Soon, go through the door."));
     }
     cue.manoeuvre->steps = -4;
     cue.manoeuvre->kind = farol::routing::ManoeuvreKind::Stairs;
     cue.manoeuvre->vertical = farol::routing::Vertical::Up;
-    QCOMPARE(Phrasebook().sentence(cue), QStringLiteral("Soon: stairs up. Take them up."));
+    QCOMPARE(Phrasebook().sentence(cue), QStringLiteral("Soon: stairs up."));
     cue.manoeuvre.reset();
     QCOMPARE(Phrasebook().sentence(cue), QString());
 }

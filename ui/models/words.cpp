@@ -119,6 +119,10 @@ QString Words::cause(const guidance::Cue& cue) {
         return tr("no route");
     case guidance::CueKind::AlreadyThere:
         return tr("already there");
+    case guidance::CueKind::Around:
+    case guidance::CueKind::Itinerary:
+    case guidance::CueKind::Chime: // has no words, so it is in no list
+        return tr("asked for");
     case guidance::CueKind::Warning:
         break;
     }

@@ -3,6 +3,7 @@
 
 #include "ui/speech/phrasebook.h"
 
+#include "core/guidance/clock.h"
 #include "ui/speech/spoken.h"
 
 namespace farol::ui {
@@ -11,6 +12,13 @@ using guidance::Cue;
 using guidance::CueKind;
 using guidance::CueReason;
 using routing::ManoeuvreKind;
+
+namespace {
+
+/// Nobody walks so far the wrong way within a small room.
+constexpr double kFarM = 5.0;
+
+} // namespace
 
 QString Phrasebook::sentence(const Cue& cue) const {
     switch (cue.kind) {
@@ -44,6 +52,12 @@ QString Phrasebook::sentence(const Cue& cue) const {
         return alreadyThere(cue);
     case CueKind::Warning:
         return warning(cue);
+    case CueKind::Around:
+        return around(cue);
+    case CueKind::Itinerary:
+        return itinerary(cue);
+    case CueKind::Chime:
+        break;
     }
     return {};
 }
@@ -66,6 +80,10 @@ QString Phrasebook::routeStart(const Cue& cue) const {
     const QString turning = facing(cue);
     const QString opener = !turning.isEmpty() ? tr("Then") : cue.sure ? tr("First") : tr("First, probably");
     sentences << turning << announcedFirst(first, opener, *first.manoeuvre);
+    // Along a corridor there are two ways to go, and only walking tells which one the user faces.
+    const bool far = first.manoeuvre->atM >= kFarM && cue.fromKind != building::RegionKind::Room;
+    if (!cue.facingWay && turning.isEmpty() && far)
+        sentences << tr("Start slowly: I will tell you if it is the wrong way.");
     return spoken::joined(sentences);
 }
 
@@ -79,7 +97,8 @@ QString Phrasebook::facing(const Cue& cue) const {
 
 QString Phrasebook::prepare(const Cue& cue) const {
     if (!cue.manoeuvre) return {};
-    const int metres = cue.sure ? spoken::metres(cue.distanceM) : 0;
+    // A thing that is felt tells more than metres do.
+    const int metres = cue.sure && !cue.mark ? spoken::metres(cue.distanceM) : 0;
     const QString opener = metres > 0 ? tr("In about %n metre(s)", "then what is there", metres)
                            : cue.sure ? tr("Soon")
                                       : tr("Soon, probably");
@@ -120,8 +139,21 @@ QString Phrasebook::arrived(const Cue& cue) const {
     return (cue.sure ? tr("You have arrived: %1.") : tr("You have probably arrived: %1.")).arg(place);
 }
 
+QString Phrasebook::offRouteLead(const Cue& cue) {
+    switch (cue.deviation) {
+    case guidance::Deviation::WrongWay:
+        return cue.sure ? tr("You are walking the wrong way.")
+                        : tr("You are probably walking the wrong way.");
+    case guidance::Deviation::Missed:
+        return cue.sure ? tr("You have gone too far.") : tr("You have probably gone too far.");
+    case guidance::Deviation::LeftRoute:
+        break;
+    }
+    return cue.sure ? tr("You have left the route.") : tr("You have probably left the route.");
+}
+
 QString Phrasebook::offRoute(const Cue& cue) const {
-    const QString left = cue.sure ? tr("You have left the route.") : tr("You have probably left the route.");
+    const QString left = offRouteLead(cue);
     if (cue.reason == CueReason::DestinationUnreachable || cue.reason == CueReason::DestinationUnknown) {
         return spoken::joined({left, tr("Stop. I know no way from here.")});
     }
@@ -132,10 +164,13 @@ QString Phrasebook::offRoute(const Cue& cue) const {
 }
 
 QString Phrasebook::located(const Cue& cue) const {
-    const QString place = spoken::name(cue.regionName);
-    if (place.isEmpty()) return tr("I do not know yet where you are.");
-    const QString level = spoken::level(cue.levelName, tr("level %1"), tr("minus %1"));
-    const QString where = level.isEmpty() ? place : place + QStringLiteral(", ") + level;
+    QString place = spoken::name(cue.regionName);
+    if (place.isEmpty()) place = regionWord(cue.regionKind);
+    const QString level = levelWords(cue);
+    if (place.isEmpty() && level.isEmpty()) return tr("I do not know yet where you are.");
+    const QString where = place.isEmpty()   ? level
+                          : level.isEmpty() ? place
+                                            : place + QStringLiteral(", ") + level;
     return (cue.sure ? tr("You are here: %1.") : tr("You are probably here, or next to it: %1.")).arg(where);
 }
 
@@ -158,6 +193,7 @@ QString Phrasebook::detection(const Cue& cue) const {
 
 QString Phrasebook::noRoute(const Cue& cue) const {
     const QString place = spoken::name(cue.regionName);
+    if (cue.reason == CueReason::NoDestination) return tr("No destination is chosen yet. Choose one first.");
     if (cue.reason == CueReason::DestinationUnknown) {
         return place.isEmpty() ? tr("I do not know this destination. Choose another one.")
                                : tr("I do not know this destination: %1. Choose another one.").arg(place);
@@ -175,6 +211,56 @@ QString Phrasebook::alreadyThere(const Cue& cue) const {
         .arg(place);
 }
 
+QString Phrasebook::whereAround(const guidance::Surrounding& what, guidance::Bearing bearing) const {
+    if (!what.direction) return tr("near you");
+    return bearing == guidance::Bearing::Map ? compassWords(*what.direction)
+                                             : whereWords(guidance::clockHour(*what.direction));
+}
+
+/// "a door, Library"
+QString Phrasebook::whatAround(const guidance::Surrounding& what) {
+    QString noun = kindWord(what.kind);
+    if (what.access) {
+        Manoeuvre manoeuvre;
+        manoeuvre.kind = *what.access;
+        manoeuvre.vertical = what.vertical;
+        noun = featureNoun(featureOf(manoeuvre));
+    }
+    QString name = spoken::shortened(what.name);
+    const bool unsaid =
+        what.behind == building::RegionKind::Stairwell || what.behind == building::RegionKind::Elevator;
+    if (what.access && unsaid && *what.access != routing::ManoeuvreKind::Door) name.clear();
+    if (name.isEmpty() && what.access && !unsaid) name = regionWord(what.behind);
+    //: %1 "a door", %2 a name
+    return name.isEmpty() ? noun : tr("%1, %2", "what is around").arg(noun, name);
+}
+
+/// One sentence for each direction, the nearest first.
+QString Phrasebook::around(const Cue& cue) const {
+    QStringList sentences{located(cue)};
+    if (cue.around.empty()) return spoken::joined(sentences << tr("I know of nothing near you."));
+    if (cue.bearing == guidance::Bearing::AlongWay) sentences << tr("The directions are those of your way.");
+    if (cue.bearing == guidance::Bearing::Map) sentences << tr("The directions are those of the map.");
+    QStringList directions;
+    QList<QStringList> things;
+    for (const guidance::Surrounding& each : cue.around) {
+        const QString where = whereAround(each, cue.bearing);
+        qsizetype at = directions.indexOf(where);
+        if (at < 0) {
+            at = directions.size();
+            directions << where;
+            things << QStringList();
+        }
+        things[at] << whatAround(each);
+    }
+    for (qsizetype i = 0; i < directions.size(); ++i) {
+        //: %1 "on your left", %2 "a door, Library; an extinguisher"
+        sentences << spoken::capitalised(
+            tr("%1: %2.", "what is around").arg(directions[i], things[i].join(QStringLiteral("; "))));
+    }
+    return spoken::joined(sentences);
+}
+
 QString Phrasebook::warning(const Cue& cue) const {
     switch (cue.reason) {
     case CueReason::CameraLost:
@@ -187,6 +273,7 @@ QString Phrasebook::warning(const Cue& cue) const {
         return tr("Stop. I cannot see. Please uncover the camera.");
     case CueReason::FrameSkipped:
         return tr("One picture could not be used. I keep guiding you.");
+    case CueReason::NoDestination:
     case CueReason::DestinationUnknown:
     case CueReason::DestinationUnreachable:
         return noRoute(cue);

@@ -56,15 +56,27 @@ private:
     static QString featureNoun(Feature feature);
     static QString placeSentence(Feature feature, bool sure);
     static QString nearSentence(const Manoeuvre& manoeuvre);
-    static QString actionThere(Feature feature);
     static QString action(Feature feature);
     static QString hourWord(int hour);
+    static QString ordinal(int number);
+    static QString markWords(Kind kind);
+    static QString regionWord(building::RegionKind kind);
+    static QString compassWords(Radians fromNorth);
 
     QString turningWords(Radians turn) const;
-    QString whereWords(int hour) const;
+    QString whereWords(int hour, routing::Side side = routing::Side::None) const;
+    QString sideWords(routing::Side side) const;
+    QString markClause(const guidance::Cue& cue) const;
+    QString gapWhere(const guidance::Cue& cue) const;
+    QString gapClause(const guidance::Cue& cue) const;
     QString withTurn(const QString& clause, const Manoeuvre& manoeuvre) const;
-    QString clause(const Manoeuvre& manoeuvre) const;
-    QString clauseThere(const Manoeuvre& manoeuvre) const;
+    QString clause(const guidance::Cue& cue) const;
+    QString nextClause(const guidance::Cue& cue) const;
+    QString nextNoun(const guidance::Cue& cue) const;
+    static QString intoWords(const guidance::Cue& cue);
+    static QString levelWords(const guidance::Cue& cue);
+    static QString stepsSentence(const Manoeuvre& manoeuvre);
+    static QString placeBehind(const guidance::Cue& cue, const Manoeuvre& manoeuvre);
     QString announced(const guidance::Cue& cue, const QString& opener, const Manoeuvre& manoeuvre) const;
     QString announcedFirst(const guidance::Cue& cue, const QString& opener, const Manoeuvre& manoeuvre) const;
     QString tail(const guidance::Cue& cue, const Manoeuvre& manoeuvre) const;
@@ -77,10 +89,15 @@ private:
     static QString lookAround(guidance::SweepStep step);
     QString arrived(const guidance::Cue& cue) const;
     QString offRoute(const guidance::Cue& cue) const;
+    static QString offRouteLead(const guidance::Cue& cue);
     QString located(const guidance::Cue& cue) const;
     QString detection(const guidance::Cue& cue) const;
     QString noRoute(const guidance::Cue& cue) const;
     QString alreadyThere(const guidance::Cue& cue) const;
+    QString around(const guidance::Cue& cue) const;
+    QString whereAround(const guidance::Surrounding& what, guidance::Bearing bearing) const;
+    static QString whatAround(const guidance::Surrounding& what);
+    QString itinerary(const guidance::Cue& cue) const;
     QString warning(const guidance::Cue& cue) const;
 
     DirectionStyle m_style;

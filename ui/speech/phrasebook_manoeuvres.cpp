@@ -1,22 +1,31 @@
-// What is done at doors, stairs, lifts and turns. A turn at a door is said as "go through the door, turning
-// left": the way may bend before the door or behind it, and the route knows only that it bends there. Turns
-// at stairs and lifts are not said at all, because nobody knows the way a person faces after them.
+// What is done at doors, stairs, lifts and turns. Where the map tells how a door stands, its side and the
+// turn behind it are told apart; where it does not, "go through the door, turning left" leaves open which of
+// both it is. Turns at stairs and lifts are not said at all, because nobody knows the way a person faces
+// after them.
 
 #include "ui/speech/phrasebook.h"
 #include "ui/speech/spoken.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace farol::ui {
 
+using building::RegionKind;
 using guidance::Cue;
+using guidance::CueKind;
 using routing::ManoeuvreKind;
+using routing::Side;
 using routing::Vertical;
 
 namespace {
 
 /// Counting more steps than this distracts (Wayfindr, stairs 5.2).
 constexpr int kMostStepsCounted = 12;
+/// Who has to turn by so much to go through a door does not go straight on.
+constexpr double kBesideRadians = 60.0 * kPi / 180.0;
+/// From so much on a turn behind a door is told.
+constexpr double kTurnTold = 30.0 * kPi / 180.0;
 
 Vertical verticalOf(const routing::Manoeuvre& manoeuvre) {
     if (manoeuvre.vertical != Vertical::None) return manoeuvre.vertical;
@@ -28,6 +37,14 @@ Vertical verticalOf(const routing::Manoeuvre& manoeuvre) {
 bool changesLevel(ManoeuvreKind kind) {
     return kind == ManoeuvreKind::Stairs || kind == ManoeuvreKind::Elevator ||
            kind == ManoeuvreKind::Escalator;
+}
+
+/// Is there something to be done right behind? In the lift one hears what to do there.
+bool followsAtOnce(const Cue& cue) {
+    if (!cue.next || cue.next->kind == ManoeuvreKind::Arrive || cue.next->kind == ManoeuvreKind::Start)
+        return false;
+    if (changesLevel(cue.manoeuvre->kind)) return false; // one has to find one's bearings first
+    return cue.next->kind != ManoeuvreKind::Elevator || cue.intoKind != RegionKind::Elevator;
 }
 
 } // namespace
@@ -145,50 +162,9 @@ QString Phrasebook::nearSentence(const Manoeuvre& manoeuvre) {
     return {};
 }
 
-/// What to do with something that was just named: "go through it".
-QString Phrasebook::actionThere(Feature feature) {
-    switch (feature) {
-    case Feature::Door:
-        return tr("go through it", "the door");
-    case Feature::Opening:
-        return tr("go through it", "the opening");
-    case Feature::StairsUp:
-        return tr("take them up", "the stairs");
-    case Feature::StairsDown:
-        return tr("take them down", "the stairs");
-    case Feature::Stairs:
-        return tr("take them, but feel first whether they go up or down", "the stairs");
-    case Feature::LiftUp:
-        return tr("take it up", "the lift");
-    case Feature::LiftDown:
-        return tr("take it down", "the lift");
-    case Feature::Lift:
-        return tr("take it", "the lift");
-    case Feature::EscalatorUp:
-        return tr("take it up", "the escalator");
-    case Feature::EscalatorDown:
-        return tr("take it down", "the escalator");
-    case Feature::Escalator:
-        return tr("take it, but feel first whether it goes up or down", "the escalator");
-    case Feature::RampUp:
-        return tr("go up it", "the ramp");
-    case Feature::RampDown:
-        return tr("go down it", "the ramp");
-    case Feature::Ramp:
-        return tr("follow it", "the ramp");
-    case Feature::None:
-        break;
-    }
-    return {};
-}
-
-/// The same for something not named yet: "go through the door".
+/// "take the stairs up". Doors and openings have clauses of their own.
 QString Phrasebook::action(Feature feature) {
     switch (feature) {
-    case Feature::Door:
-        return tr("go through the door");
-    case Feature::Opening:
-        return tr("go through the opening");
     case Feature::StairsUp:
         return tr("take the stairs up");
     case Feature::StairsDown:
@@ -213,76 +189,172 @@ QString Phrasebook::action(Feature feature) {
         return tr("go down the ramp");
     case Feature::Ramp:
         return tr("follow the ramp");
+    case Feature::Door:
+    case Feature::Opening:
     case Feature::None:
         break;
     }
     return {};
 }
 
+/// "on your left": of a door in the wall that one walks along.
+QString Phrasebook::sideWords(Side side) const {
+    if (side == Side::None) return {};
+    return whereWords(m_style == DirectionStyle::Degrees ? 0 : side == Side::Left ? 9 : 3, side);
+}
+
+/// Where the door is, for somebody who walks along the way; empty where nobody knows.
+QString Phrasebook::gapWhere(const Cue& cue) const {
+    const Manoeuvre& manoeuvre = *cue.manoeuvre;
+    if (cue.staying || !cue.facingWay) return {};
+    if (manoeuvre.side != Side::None) return sideWords(manoeuvre.side);
+    if (cue.hour && *cue.hour % 12 != 0) return whereWords(*cue.hour);
+    if (cue.hour) return tr("ahead");
+    return manoeuvre.behind ? tr("ahead") : QString();
+}
+
+/// "go through the third door on your left", with what to do behind it.
+QString Phrasebook::gapClause(const Cue& cue) const {
+    const Manoeuvre& manoeuvre = *cue.manoeuvre;
+    const bool door = manoeuvre.kind == ManoeuvreKind::Door;
+    const QString where = gapWhere(cue);
+    const bool arrives = cue.next && cue.next->kind == ManoeuvreKind::Arrive;
+    const bool bends = manoeuvre.behind && !arrives && std::abs(manoeuvre.behind->value) >= kTurnTold;
+    const bool straight = !bends && !arrives && cue.facingWay && manoeuvre.behind &&
+                          manoeuvre.side == Side::None && cue.hour.value_or(12) % 12 == 0 &&
+                          std::abs(wrapped(manoeuvre.turn - *manoeuvre.behind).value) < kBesideRadians;
+    const bool isNext = cue.kind == CueKind::Prepare && manoeuvre.number == 1 && cue.routeVersion != 0;
+    const QString number = cue.kind == CueKind::Act && !cue.asked && cue.routeVersion != 0 ? QString()
+                           : isNext && cue.facingWay && !cue.mark ? tr("next", "door or opening")
+                           : cue.facingWay && !cue.mark           ? ordinal(manoeuvre.number)
+                                                                  : QString();
+    QString clause;
+    if (door && cue.fromKind == RegionKind::Elevator && cue.intoKind != RegionKind::Elevator)
+        clause = tr("get out of the lift");
+    else if (door && cue.intoKind == RegionKind::Elevator)
+        clause = where.isEmpty() ? tr("go into the lift") : tr("go into the lift %1").arg(where);
+    else if (straight)
+        clause = door ? tr("go straight on through the door") : tr("go straight on through the opening");
+    else if (where.isEmpty())
+        clause = door ? tr("go through the door") : tr("go through the opening");
+    else if (number.isEmpty())
+        clause = door ? tr("go through the door %1").arg(where) : tr("go through the opening %1").arg(where);
+    else // %1 "third", %2 "on your left"
+        clause = door ? tr("go through the %1 door %2").arg(number, where)
+                      : tr("go through the %1 opening %2").arg(number, where);
+    //: %1 "go through the door", %2 "turn left"
+    if (bends) return tr("%1, then %2").arg(clause, turnWords(*manoeuvre.behind));
+    // "On your left, turning left" would be heard as two turns.
+    const bool saidBySide =
+        !where.isEmpty() && cue.hour && (wrapped(manoeuvre.turn).value > 0.0) == (*cue.hour % 12 > 6);
+    return manoeuvre.behind || arrives || saidBySide ? clause : withTurn(clause, manoeuvre);
+}
+
 QString Phrasebook::withTurn(const QString& clause, const Manoeuvre& manoeuvre) const {
     if (changesLevel(manoeuvre.kind) || verticalOf(manoeuvre) != Vertical::None) return clause;
     const QString turning = turningWords(manoeuvre.turn);
     //: %1 "go through the door", %2 "turning left"
-    if (!turning.isEmpty()) return tr("%1, %2").arg(clause, turning);
-    const bool gap = manoeuvre.kind == ManoeuvreKind::Door || manoeuvre.kind == ManoeuvreKind::Opening;
-    //: %1 "go through the door"
-    return gap && std::isfinite(manoeuvre.turn.value) ? tr("%1 and straight on").arg(clause) : clause;
+    return turning.isEmpty() ? clause : tr("%1, %2").arg(clause, turning);
 }
 
-/// "go through the door, turning left": in lower case and without a stop, to stand alone or behind "then".
-QString Phrasebook::clause(const Manoeuvre& manoeuvre) const {
+/// "go through the door, then turn left": in lower case and without a stop, to stand alone or behind "then".
+QString Phrasebook::clause(const Cue& cue) const {
+    const Manoeuvre& manoeuvre = *cue.manoeuvre;
     if (manoeuvre.kind == ManoeuvreKind::Turn) return turnWords(manoeuvre.turn);
     if (manoeuvre.kind == ManoeuvreKind::Start) return tr("move forward");
     if (manoeuvre.kind == ManoeuvreKind::Arrive) return tr("your destination");
-    return withTurn(action(featureOf(manoeuvre)), manoeuvre);
+    const Feature feature = featureOf(manoeuvre);
+    if (feature == Feature::Door || feature == Feature::Opening) return gapClause(cue);
+    if (cue.staying) {
+        const QString level = levelWords(cue);
+        return level.isEmpty() ? tr("stay in the lift") : tr("stay in the lift until: %1").arg(level);
+    }
+    return withTurn(action(feature), manoeuvre);
 }
 
-QString Phrasebook::clauseThere(const Manoeuvre& manoeuvre) const {
-    const Feature feature = featureOf(manoeuvre);
-    return feature == Feature::None ? clause(manoeuvre) : withTurn(actionThere(feature), manoeuvre);
+/// What follows at once, as a clause behind "then, straight away".
+QString Phrasebook::nextClause(const Cue& cue) const {
+    Cue second;
+    second.kind = CueKind::Prepare; // with its number: it is counted from the first
+    second.manoeuvre = cue.next;
+    second.fromKind = cue.intoKind;
+    second.facingWay = true;
+    return clause(second);
+}
+
+/// The same in a word or two, behind something announced from afar: "a door on your left".
+QString Phrasebook::nextNoun(const Cue& cue) const {
+    const Feature feature = featureOf(*cue.next);
+    if (feature == Feature::None) return nextClause(cue);
+    const QString where = sideWords(cue.next->side);
+    //: %1 "a door", %2 "on your left"
+    return where.isEmpty() ? featureNoun(feature)
+                           : tr("%1 %2", "what and where").arg(featureNoun(feature), where);
+}
+
+/// "after the extinguisher on your left"
+QString Phrasebook::markClause(const Cue& cue) const {
+    if (!cue.mark) return {};
+    const QString mark = markWords(cue.mark->kind);
+    if (mark.isEmpty() || cue.mark->side == Side::None) return mark;
+    //: %1 "after the extinguisher", %2 "on your left"
+    return tr("%1 %2", "what and where").arg(mark, sideWords(cue.mark->side));
+}
+
+QString Phrasebook::levelWords(const Cue& cue) {
+    return spoken::level(cue.levelName, tr("level %1"), tr("minus %1"));
+}
+
+/// The place one comes to: its name, else what it is. Stairwells and lifts are felt.
+QString Phrasebook::intoWords(const Cue& cue) {
+    if (cue.intoKind == RegionKind::Stairwell || cue.intoKind == RegionKind::Elevator) return {};
+    const QString name = spoken::name(cue.intoName);
+    return name.isEmpty() ? regionWord(cue.intoKind) : name;
+}
+
+QString Phrasebook::stepsSentence(const Manoeuvre& manoeuvre) {
+    if (manoeuvre.kind != ManoeuvreKind::Stairs || !manoeuvre.steps || *manoeuvre.steps <= 0) return {};
+    return *manoeuvre.steps > kMostStepsCounted ? tr("It is a long flight.")
+                                                : tr("%n step(s).", nullptr, *manoeuvre.steps);
+}
+
+/// "At the top: level 2, Gallery."
+QString Phrasebook::placeBehind(const Cue& cue, const Manoeuvre& manoeuvre) {
+    const bool arrives = cue.next && cue.next->kind == ManoeuvreKind::Arrive;
+    const Vertical vertical = verticalOf(manoeuvre);
+    QStringList place;
+    if (changesLevel(manoeuvre.kind) && manoeuvre.kind != ManoeuvreKind::Elevator) place << levelWords(cue);
+    const bool isPlace = manoeuvre.kind != ManoeuvreKind::Turn && manoeuvre.kind != ManoeuvreKind::Arrive;
+    if (isPlace) place << intoWords(cue);
+    if (arrives) place << tr("your destination");
+    place.removeAll(QString());
+    if (place.isEmpty() || cue.staying) return {};
+    const QString where = place.join(QStringLiteral(", "));
+    if (!changesLevel(manoeuvre.kind)) return tr("Next: %1.").arg(where);
+    if (manoeuvre.kind == ManoeuvreKind::Elevator) return tr("When you get out: %1.").arg(where);
+    if (vertical == Vertical::Up) return tr("At the top: %1.").arg(where);
+    if (vertical == Vertical::Down) return tr("At the bottom: %1.").arg(where);
+    return tr("Next: %1.").arg(where);
 }
 
 /// What comes with the manoeuvre: steps, the button to press, the place one comes to, what to do right after.
+/// Announced from afar, only what one has to know by then.
 QString Phrasebook::tail(const Cue& cue, const Manoeuvre& manoeuvre) const {
-    QStringList sentences;
-    const QString into = spoken::name(cue.intoName);
-    const QString level = spoken::level(cue.levelName, tr("level %1"), tr("minus %1"));
-    const Vertical vertical = verticalOf(manoeuvre);
-    const bool counted = manoeuvre.kind == ManoeuvreKind::Stairs && manoeuvre.steps && *manoeuvre.steps > 0;
-    if (counted && *manoeuvre.steps > kMostStepsCounted)
-        sentences << tr("It is a long flight.");
-    else if (counted)
-        sentences << tr("%n step(s).", nullptr, *manoeuvre.steps);
-    QStringList place;
-    if (manoeuvre.kind == ManoeuvreKind::Elevator) {
-        if (!level.isEmpty()) sentences << tr("Inside, choose: %1.").arg(level);
-    } else if (changesLevel(manoeuvre.kind) && !level.isEmpty()) {
-        place << level;
+    QStringList sentences{stepsSentence(manoeuvre)};
+    const bool follows = followsAtOnce(cue);
+    const bool isPrepare = cue.kind == CueKind::Prepare && !cue.asked;
+    if (!isPrepare) {
+        const QString level = levelWords(cue);
+        if (manoeuvre.kind == ManoeuvreKind::Elevator && !level.isEmpty() && !cue.staying)
+            sentences << tr("Inside, choose: %1.").arg(level);
+        if (!follows || changesLevel(manoeuvre.kind)) sentences << placeBehind(cue, manoeuvre);
     }
-    if (!into.isEmpty() && manoeuvre.kind != ManoeuvreKind::Turn && manoeuvre.kind != ManoeuvreKind::Arrive)
-        place << into;
-    const bool arrives = cue.next && cue.next->kind == ManoeuvreKind::Arrive;
-    if (arrives) place << tr("your destination");
-    if (!place.isEmpty()) {
-        const QString where = place.join(QStringLiteral(", "));
-        if (!changesLevel(manoeuvre.kind))
-            sentences << tr("Next: %1.").arg(where);
-        else if (manoeuvre.kind == ManoeuvreKind::Elevator)
-            sentences << tr("When you get out: %1.").arg(where);
-        else if (vertical == Vertical::Up)
-            sentences << tr("At the top: %1.").arg(where);
-        else if (vertical == Vertical::Down)
-            sentences << tr("At the bottom: %1.").arg(where);
-        else
-            sentences << tr("Next: %1.").arg(where);
-    }
-    if (cue.next && !arrives && cue.next->kind != ManoeuvreKind::Start) {
-        sentences << tr("Then, straight away, %1.").arg(clause(*cue.next));
-    }
+    if (follows && !isPrepare) sentences << tr("Then, straight away, %1.").arg(nextClause(cue));
     return spoken::joined(sentences);
 }
 
-/// A manoeuvre that is not due yet, behind words such as "Soon": "Soon: a door. Go through it, turning left."
+/// A manoeuvre that is not due yet, behind words such as "Soon": "Soon, go through the second door on your
+/// left."
 QString Phrasebook::announced(const Cue& cue, const QString& opener, const Manoeuvre& manoeuvre) const {
     const Feature feature = featureOf(manoeuvre);
     if (manoeuvre.kind == ManoeuvreKind::Arrive) {
@@ -290,20 +362,31 @@ QString Phrasebook::announced(const Cue& cue, const QString& opener, const Manoe
         return into.isEmpty() ? tr("%1: your destination.").arg(opener)
                               : tr("%1: your destination, %2.").arg(opener, into);
     }
-    if (feature == Feature::None) {
-        return spoken::joined({tr("%1, %2.").arg(opener, clause(manoeuvre)), tail(cue, manoeuvre)});
-    }
-    const QString noun = featureNoun(feature);
-    //: %1 "Soon", %2 "a door", %3 "on your left"
-    const QString head = cue.hour ? tr("%1: %2, %3.").arg(opener, noun, whereWords(*cue.hour))
-                                  : tr("%1: %2.").arg(opener, noun);
-    return spoken::joined({head, spoken::sentence(clauseThere(manoeuvre)), tail(cue, manoeuvre)});
+    const bool isPrepare = cue.kind == CueKind::Prepare && !cue.asked;
+    const bool isGap = feature == Feature::Door || feature == Feature::Opening;
+    const bool asNoun = isPrepare && !isGap && feature != Feature::None && !cue.staying;
+    QString what = asNoun ? featureNoun(feature) : clause(cue);
+    if (asNoun && cue.hour) what = tr("%1, %2", "what is around").arg(what, whereWords(*cue.hour));
+    const QString mark = markClause(cue);
+    //: %1 "turn left", %2 "after the extinguisher"
+    if (!mark.isEmpty()) what = tr("%1, %2", "mark").arg(what, mark);
+    // Two things at once are enough.
+    const bool bends = manoeuvre.behind && std::abs(manoeuvre.behind->value) >= kTurnTold;
+    const bool twoGaps =
+        cue.next && cue.next->kind == ManoeuvreKind::Opening && manoeuvre.kind == ManoeuvreKind::Opening;
+    if (isPrepare && followsAtOnce(cue) && !twoGaps && !bends && mark.isEmpty())
+        what = tr("%1, then %2").arg(what, nextNoun(cue));
+    //: %1 "Soon", %2 "stairs up"
+    const QString head = asNoun ? tr("%1: %2.").arg(opener, what) : tr("%1, %2.").arg(opener, what);
+    return spoken::joined({head, tail(cue, manoeuvre)});
 }
 
-/// The same where a way begins. Nobody knows yet which way the user faces, so "turn left" would be heard as
-/// an order for this spot: a turn is told as a bend of the way.
+/// The same where a way begins. Where nobody knows yet which way the user faces, "turn left" would be heard
+/// as an order for this spot: a turn is told as a bend of the way.
 QString Phrasebook::announcedFirst(const Cue& cue, const QString& opener, const Manoeuvre& manoeuvre) const {
-    const QString turning = manoeuvre.kind == ManoeuvreKind::Turn ? turningWords(manoeuvre.turn) : QString();
+    const bool bend =
+        manoeuvre.kind == ManoeuvreKind::Turn && !(cue.facingWay && cue.kind == CueKind::OffRoute);
+    const QString turning = bend ? turningWords(manoeuvre.turn) : QString();
     if (turning.isEmpty()) return announced(cue, opener, manoeuvre);
     //: %1 "First", %2 "turning left"
     return spoken::joined({tr("%1: a bend. Follow it, %2.").arg(opener, turning), tail(cue, manoeuvre)});
@@ -320,13 +403,35 @@ QString Phrasebook::act(const Cue& cue) const {
             .arg(into);
     }
     const Feature feature = featureOf(manoeuvre);
+    const bool isGap = feature == Feature::Door || feature == Feature::Opening;
     QString lead;
-    if (feature != Feature::None && cue.hour)
+    if (feature != Feature::None && !isGap && cue.hour)
         lead = placeSentence(feature, cue.sure).arg(whereWords(*cue.hour));
     else if (!cue.sure)
         lead = nearSentence(manoeuvre);
-    const QString order = lead.isEmpty() ? clause(manoeuvre) : clauseThere(manoeuvre);
-    return spoken::joined({lead, spoken::sentence(order), tail(cue, manoeuvre)});
+    return spoken::joined({lead, spoken::sentence(clause(cue)), tail(cue, manoeuvre)});
+}
+
+QString Phrasebook::itinerary(const Cue& cue) const {
+    constexpr std::size_t kMostSteps = 8; // more nobody keeps in mind
+    QStringList sentences;
+    const QString destination = spoken::name(cue.regionName);
+    if (!destination.isEmpty()) sentences << tr("Destination: %1.").arg(destination);
+    const int metres = cue.sure ? spoken::metres(cue.distanceM) : 0;
+    if (metres > 0) sentences << tr("About %n metre(s).", "length of the route", metres);
+    const std::size_t told = std::min(cue.steps.size(), kMostSteps);
+    for (std::size_t i = 0; i < told; ++i) {
+        const Cue& step = cue.steps[i];
+        if (!step.manoeuvre) continue;
+        Cue asked = step;
+        asked.asked = true;
+        const QString opener = i == 0 ? tr("First") : tr("Then");
+        sentences << (i == 0 ? announcedFirst(asked, opener, *step.manoeuvre)
+                             : announced(asked, opener, *step.manoeuvre));
+    }
+    const int more = static_cast<int>(cue.steps.size() - told);
+    if (more > 0) sentences << tr("And %n more thing(s) to do after that.", nullptr, more);
+    return spoken::joined(sentences);
 }
 
 } // namespace farol::ui

@@ -20,6 +20,14 @@ int roundedDegrees(Radians turn) {
     return std::clamp(static_cast<int>(std::lround(degrees / kDegreeStep)) * kDegreeStep, kDegreeStep, 180);
 }
 
+/// A corner that is nearly square is one: people turn square there, and the walls see to the rest.
+Radians squared(Radians turn) {
+    constexpr double kNearlyDegrees = 22.5;
+    const double degrees = toDegrees(wrapped(turn));
+    if (std::abs(std::abs(degrees) - 90.0) > kNearlyDegrees) return turn;
+    return fromDegrees(degrees > 0.0 ? 90.0 : -90.0);
+}
+
 bool toTheLeft(Radians turn) {
     return wrapped(turn).value > 0.0;
 }
@@ -113,7 +121,7 @@ QString Phrasebook::hourWord(int hour) {
 QString Phrasebook::turnWords(Radians turn) const {
     if (!std::isfinite(turn.value)) return tr("go straight on");
     if (m_style == DirectionStyle::Clock) {
-        const int hour = guidance::clockHour(turn);
+        const int hour = guidance::clockHour(squared(turn));
         if (hour == 12) return tr("go straight on");
         //: %1 is an hour, such as "9 o'clock"
         return hour == 1 ? tr("turn to %1", "one o'clock").arg(hourWord(hour))
@@ -122,7 +130,7 @@ QString Phrasebook::turnWords(Radians turn) const {
     const TurnWord word = guidance::turnWord(turn);
     if (word == TurnWord::Straight) return tr("go straight on");
     if (m_style == DirectionStyle::Degrees) {
-        const int degrees = roundedDegrees(turn);
+        const int degrees = roundedDegrees(squared(turn));
         if (degrees == 180) return tr("turn around");
         return toTheLeft(turn) ? tr("turn %1 degrees to the left").arg(degrees)
                                : tr("turn %1 degrees to the right").arg(degrees);
@@ -152,7 +160,7 @@ QString Phrasebook::turnWords(Radians turn) const {
 QString Phrasebook::turningWords(Radians turn) const {
     if (!std::isfinite(turn.value)) return {};
     if (m_style == DirectionStyle::Clock) {
-        const int hour = guidance::clockHour(turn);
+        const int hour = guidance::clockHour(squared(turn));
         if (hour == 12) return {};
         //: %1 is an hour, such as "9 o'clock"
         return hour == 1 ? tr("turning to %1", "one o'clock").arg(hourWord(hour))
@@ -161,7 +169,7 @@ QString Phrasebook::turningWords(Radians turn) const {
     const TurnWord word = guidance::turnWord(turn);
     if (word == TurnWord::Straight) return {};
     if (m_style == DirectionStyle::Degrees) {
-        const int degrees = roundedDegrees(turn);
+        const int degrees = roundedDegrees(squared(turn));
         if (degrees == 180) return tr("turning around");
         return toTheLeft(turn) ? tr("turning %1 degrees to the left").arg(degrees)
                                : tr("turning %1 degrees to the right").arg(degrees);
@@ -189,7 +197,10 @@ QString Phrasebook::turningWords(Radians turn) const {
 
 /// Where something is, seen from the way the user faces: "on your left", "at 9 o'clock", "90 degrees to your
 /// left".
-QString Phrasebook::whereWords(int hour) const {
+QString Phrasebook::whereWords(int hour, routing::Side side) const {
+    // Who counts in degrees still has a left and a right hand at the wall.
+    if (m_style == DirectionStyle::Degrees && side != routing::Side::None)
+        return side == routing::Side::Left ? tr("on your left") : tr("on your right");
     const int h = ((hour % 12) + 12) % 12; // 0 is straight ahead
     if (m_style == DirectionStyle::Clock) {
         //: %1 is an hour, such as "9 o'clock"
@@ -212,6 +223,98 @@ QString Phrasebook::whereWords(int hour) const {
         return tr("ahead, slightly to your left");
     default:
         return h < 6 ? tr("on your right") : tr("on your left");
+    }
+}
+
+/// Of a door or an opening; beyond the last one nobody counts.
+QString Phrasebook::ordinal(int number) {
+    switch (number) {
+    case 1:
+        return tr("first", "door or opening");
+    case 2:
+        return tr("second", "door or opening");
+    case 3:
+        return tr("third", "door or opening");
+    case 4:
+        return tr("fourth", "door or opening");
+    case 5:
+        return tr("fifth", "door or opening");
+    case 6:
+        return tr("sixth", "door or opening");
+    case 7:
+        return tr("seventh", "door or opening");
+    case 8:
+        return tr("eighth", "door or opening");
+    default:
+        return {};
+    }
+}
+
+/// Things that hand or cane finds.
+QString Phrasebook::markWords(Kind kind) {
+    switch (kind) {
+    case Kind::Extinguisher:
+        return tr("after the extinguisher");
+    case Kind::Fountain:
+        return tr("after the drinking fountain");
+    case Kind::Hydrant:
+        return tr("after the hydrant");
+    case Kind::VendingMachine:
+        return tr("after the vending machine");
+    case Kind::Bin:
+        return tr("after the waste bin");
+    case Kind::Plant:
+        return tr("after the plant");
+    case Kind::Locker:
+        return tr("after the locker");
+    default:
+        return {};
+    }
+}
+
+/// What a place without a name is; empty where that is not known either.
+QString Phrasebook::regionWord(building::RegionKind kind) {
+    switch (kind) {
+    case building::RegionKind::Room:
+        return tr("a room");
+    case building::RegionKind::Corridor:
+        return tr("a corridor");
+    case building::RegionKind::Hall:
+        return tr("a hall");
+    case building::RegionKind::Stairwell:
+        return tr("a stairwell");
+    case building::RegionKind::Elevator:
+        return tr("a lift");
+    case building::RegionKind::Toilet:
+        return tr("a toilet");
+    case building::RegionKind::Outside:
+        return tr("outside the building");
+    case building::RegionKind::Other:
+        break;
+    }
+    return {};
+}
+
+/// Counter-clockwise from north, as maps are drawn.
+QString Phrasebook::compassWords(Radians fromNorth) {
+    const int eighth = static_cast<int>(std::lround(-toDegrees(wrapped(fromNorth)) / 45.0) + 8) % 8;
+    switch (eighth) {
+    case 1:
+        return tr("to the north-east");
+    case 2:
+        return tr("to the east");
+    case 3:
+        return tr("to the south-east");
+    case 4:
+        return tr("to the south");
+    case 5:
+        return tr("to the south-west");
+    case 6:
+        return tr("to the west");
+    case 7:
+        return tr("to the north-west");
+    default:
+        return tr("to the north");
     }
 }
 

@@ -87,6 +87,7 @@ bool SpeechQueue::toldLately(const Utterance& utterance) const {
     auto same = [&](const Cue& cue, const QString& text) {
         return text == utterance.text && sameManoeuvre(cue, utterance.cue);
     };
+    if (utterance.cue.asked) return false; // whoever asks twice wants to hear it twice
     if (m_current && same(m_current->cue, m_current->text)) return true;
     return std::any_of(m_told.begin(), m_told.end(), [&](const Told& told) {
         return m_now - told.cue.time < kRepeatSeconds && same(told.cue, told.text);

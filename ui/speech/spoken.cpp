@@ -15,7 +15,9 @@ constexpr qsizetype kLongestText = 60;
 } // namespace
 
 QString name(const std::string& fromMap) {
-    QString text = QString::fromUtf8(fromMap.data(), static_cast<qsizetype>(fromMap.size())).simplified();
+    QString text = QString::fromUtf8(fromMap.data(), static_cast<qsizetype>(fromMap.size()));
+    text.replace(QLatin1Char('_'), QLatin1Char(' ')); // "Sala_2" as people say it
+    text = text.simplified();
     while (text.endsWith(QLatin1Char('.')) || text.endsWith(QLatin1Char(' '))) text.chop(1);
     return text;
 }

@@ -1,0 +1,183 @@
+// Walking the wrong way, past the door, back through one: what the planned way's own geometry tells.
+
+#include "tests/guidance/guided.h"
+
+#include <gtest/gtest.h>
+
+using namespace farol;
+using namespace farol::guidance;
+using farol::test::AsciiMap;
+using farol::test::at;
+using farol::test::Guided;
+
+namespace {
+
+/// A corridor K along which one walks from 1 to 9; the doors of B and of C are on its north side.
+AsciiMap hallway() {
+    return AsciiMap()
+        .floor(R"(
+            +----+--------------+-----------+--------------+
+            |A   |              |B          |C             |
+            |    |              |           |              |
+            +----+--------------+----/------+-------/------+
+            |K                                             |
+            | 1  2  3  4  5  6  7  8  9  a  b  c  d  e  f  |
+            |                                              |
+            +----/-----------------------------------------+
+            |D   |
+            +----+
+        )")
+        .region('B', {"Bar", building::RegionKind::Room})
+        .region('C', {"Court", building::RegionKind::Room});
+}
+
+struct Walked : Guided {
+    Walked() : Guided(hallway()) {
+        secondsBetween = 3.0;
+        planner2 = std::shared_ptr<const routing::Planner>(routing::makeOptimalPlanner(building));
+        tracker = RouteTracker(building, planner2);
+    }
+    /// Good positions, as from a trained place or a filter that is sure.
+    void walk(const std::string& spots, double sigma = 1.0) {
+        for (char spot : spots) {
+            fix = {};
+            time += secondsBetween;
+            fix.time = fix.evidenceTime = time;
+            fix.region = RegionId("K");
+            fix.confidence = 0.9;
+            fix.level = 0.0;
+            fix.position = map.spot(spot).position;
+            fix.sigmaM = sigma;
+            progress = tracker.update(fix);
+            replans += progress.replanned ? 1 : 0;
+            if (progress.replanned) deviation = progress.deviation;
+            cues = scheduler.update(++frame, fix, progress, {});
+            all.insert(all.end(), cues.begin(), cues.end());
+        }
+    }
+    const Cue* offRoute() const {
+        for (const Cue& cue : all)
+            if (cue.kind == CueKind::OffRoute) return &cue;
+        return nullptr;
+    }
+    std::shared_ptr<const routing::Planner> planner2;
+    int replans = 0;
+    Deviation deviation = Deviation::LeftRoute;
+};
+
+TEST(Straying, WhoWalksAsPlannedIsNotCalledBack) {
+    Walked walk;
+    walk.tracker.setDestination(at("C"));
+    walk.walk("123456789abcd");
+    EXPECT_EQ(walk.replans, 0);
+    EXPECT_EQ(walk.offRoute(), nullptr);
+}
+
+TEST(Straying, TheWrongWayFromTheStartIsToldAndTurnedRound) {
+    Walked walk;
+    walk.tracker.setDestination(at("B"));
+    walk.walk("bc");
+    EXPECT_EQ(walk.offRoute(), nullptr) << "a step is no proof";
+    walk.walk("d");
+    ASSERT_NE(walk.offRoute(), nullptr);
+    EXPECT_EQ(walk.offRoute()->deviation, Deviation::WrongWay);
+    ASSERT_TRUE(walk.offRoute()->turnFirst);
+    EXPECT_GT(std::abs(toDegrees(*walk.offRoute()->turnFirst)), 120.0);
+    EXPECT_EQ(walk.offRoute()->chime, Chime::Warning);
+    EXPECT_EQ(walk.offRoute()->manoeuvre->access.value, "B-K");
+}
+
+TEST(Straying, TurningBackOnTheWayIsTold) {
+    Walked walk;
+    walk.tracker.setDestination(at("C"));
+    walk.walk("3456789");
+    walk.walk("876");
+    ASSERT_NE(walk.offRoute(), nullptr);
+    EXPECT_EQ(walk.offRoute()->deviation, Deviation::WrongWay);
+    EXPECT_EQ(walk.replans, 1) << "told once, from where the user is";
+}
+
+TEST(Straying, PastTheDoorIsTold) {
+    Walked walk;
+    walk.tracker.setDestination(at("B"));
+    walk.walk("56789a");
+    EXPECT_EQ(walk.offRoute(), nullptr);
+    walk.walk("b");
+    ASSERT_NE(walk.offRoute(), nullptr);
+    EXPECT_EQ(walk.deviation, Deviation::Missed);
+    const Cue& cue = *walk.offRoute();
+    EXPECT_EQ(cue.manoeuvre->access.value, "B-K");
+    EXPECT_EQ(cue.manoeuvre->side, routing::Side::Right) << "on the way back it is on the other side";
+    ASSERT_TRUE(cue.turnFirst);
+}
+
+TEST(Straying, APositionThatIsVagueOrStandsStillProvesNothing) {
+    Walked vague;
+    vague.tracker.setDestination(at("B"));
+    vague.walk("56789abcdef", 3.0);
+    EXPECT_EQ(vague.offRoute(), nullptr);
+    Walked standing;
+    standing.tracker.setDestination(at("B"));
+    standing.walk("789aaaaaaaaaaaa");
+    EXPECT_EQ(standing.offRoute(), nullptr) << "one step too far is none";
+}
+
+TEST(Straying, NothingOfTheOldWayIsLeftOver) {
+    Walked walk;
+    walk.tracker.setDestination(at("B"));
+    walk.walk("56789ab");
+    ASSERT_EQ(walk.replans, 1);
+    std::uint64_t version = walk.progress.routeVersion;
+    walk.all.clear();
+    walk.walk("a98");
+    EXPECT_EQ(walk.replans, 1);
+    for (const Cue& cue : walk.all) EXPECT_EQ(cue.routeVersion == 0 ? version : cue.routeVersion, version);
+    walk.tracker.setDestination(at("C"));
+    walk.walk("9a");
+    EXPECT_EQ(walk.progress.travel, Travel::OnRoute);
+    EXPECT_EQ(walk.replans, 1) << "the way already walked is not held against the new route";
+}
+
+TEST(Straying, BackThroughADoorOfTheRouteAndOn) {
+    Walked walk;
+    walk.tracker.setDestination(at("C"));
+    walk.seen("D");
+    walk.walk("23456");
+    walk.walk("5432");
+    ASSERT_NE(walk.offRoute(), nullptr);
+    EXPECT_EQ(walk.offRoute()->deviation, Deviation::WrongWay);
+}
+
+TEST(DoorCount, SaysTheNumberFromWhereOneIs) {
+    AsciiMap map;
+    map.floor(R"(
+        +----+----+----+----+----+
+        |A   |B   |C   |E   |F   |
+        +-/--+-/--+-/--+-/--+-/--+
+        |K                       |
+        |1      2    3   4       |
+        +------------------------+
+    )");
+    Guided walk(map);
+    auto planner = std::shared_ptr<const routing::Planner>(routing::makeOptimalPlanner(walk.building));
+    walk.tracker = RouteTracker(walk.building, planner);
+    walk.tracker.setDestination(at("F"));
+    for (char spot : {'1', '2', '3'}) {
+        walk.seen("K", spot);
+        walk.fix.sigmaM = 0.5;
+    }
+    Cue next = walk.scheduler.answer(Question::Next, 1, walk.fix, walk.progress);
+    ASSERT_TRUE(next.manoeuvre);
+    EXPECT_EQ(next.manoeuvre->side, routing::Side::Left);
+    EXPECT_EQ(next.manoeuvre->number, 2) << "E and F are still to come";
+    EXPECT_TRUE(next.facingWay);
+    walk.fix.position = walk.building->access(AccessId("E-K"))->midpoint() + Point2{0.3, -1.0};
+    next = walk.scheduler.answer(Question::Next, 1, walk.fix, walk.progress);
+    EXPECT_EQ(next.manoeuvre->number, 0) << "is the door beside one passed or to come?";
+    walk.fix.sigmaM = 4.0;
+    walk.fix.position = walk.map.spot('3').position;
+    next = walk.scheduler.answer(Question::Next, 1, walk.fix, walk.progress);
+    EXPECT_EQ(next.manoeuvre->number, 0) << "a vague position counts nothing";
+}
+
+} // namespace

@@ -82,6 +82,10 @@ void takeTasks(const Cue& cue, WalkInstruction& instruction) {
     }
     instruction.task = taskOf(first);
     instruction.then = taskOf(second);
+    if (!cue.facingWay) { // then no side is spoken
+        instruction.task.side = routing::Side::None;
+        instruction.task.number = 0;
+    }
     instruction.task.into = cue.intoName;
     if (instruction.task.feature == Feature::Elevator) instruction.task.level = cue.levelName;
     instruction.turnFirst = cue.turnFirst;
@@ -138,6 +142,9 @@ WalkInstruction instructionOf(const Cue& cue) {
     case CueKind::Located:
     case CueKind::Detection:
     case CueKind::Text:
+    case CueKind::Around:
+    case CueKind::Itinerary:
+    case CueKind::Chime:
         break;
     }
     return instruction;

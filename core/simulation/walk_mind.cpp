@@ -92,6 +92,7 @@ void WalkMind::go(const WalkInstruction& instruction) {
     m_then = instruction.then;
     m_taskM = instruction.distanceM;
     m_toldM = 0.0;
+    m_counted = {}; // "the second door" counts from where it is heard
     if (instruction.now) m_sinceNow = 0.0;
     if (instruction.astray) {
         m_astray = true;

@@ -56,6 +56,47 @@
     </message>
 </context>
 <context>
+    <name>farol::ui::KioskMachine</name>
+    <message numerus="yes">
+        <source>%1: %n place(s). %2.</source>
+        <extracomment>%1 &quot;Rooms&quot;, %2 the first of them</extracomment>
+        <translation>
+            <numerusform>%1: %n place. %2.</numerusform>
+            <numerusform>%1: %n places. %2.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n place(s).</source>
+        <comment>while typing</comment>
+        <extracomment>%1 the letter just typed</extracomment>
+        <translation>
+            <numerusform>%1: %n place.</numerusform>
+            <numerusform>%1: %n places.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n place(s). Space: first place.</source>
+        <translation>
+            <numerusform>%1: %n place. Space: first place.</numerusform>
+            <numerusform>%1: %n places. Space: first place.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Choose a destination: %n place(s).</source>
+        <translation>
+            <numerusform>Choose a destination: %n place.</numerusform>
+            <numerusform>Choose a destination: %n places.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n place(s) fit: %1.</source>
+        <translation>
+            <numerusform>%n place fits: %1.</numerusform>
+            <numerusform>%n places fit: %1.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>farol::ui::MapPanel</name>
     <message numerus="yes">
         <source>%n place(s) on the map.</source>
@@ -102,6 +143,52 @@
         <translation>
             <numerusform>And %n more thing to do after that.</numerusform>
             <numerusform>And %n more things to do after that.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>About %n foot(feet).</source>
+        <comment>length of the route</comment>
+        <translation>
+            <numerusform>About %n foot.</numerusform>
+            <numerusform>About %n feet.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>About %n step(s).</source>
+        <comment>length of the route</comment>
+        <translation>
+            <numerusform>About %n step.</numerusform>
+            <numerusform>About %n steps.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>In about %n foot(feet)</source>
+        <comment>then what is there</comment>
+        <translation>
+            <numerusform>In about %n foot</numerusform>
+            <numerusform>In about %n feet</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>In about %n step(s)</source>
+        <comment>then what is there</comment>
+        <translation>
+            <numerusform>In about %n step</numerusform>
+            <numerusform>In about %n steps</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Keep moving forward for about %n foot(feet).</source>
+        <translation>
+            <numerusform>Keep moving forward for about %n foot.</numerusform>
+            <numerusform>Keep moving forward for about %n feet.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Keep moving forward for about %n step(s).</source>
+        <translation>
+            <numerusform>Keep moving forward for about %n step.</numerusform>
+            <numerusform>Keep moving forward for about %n steps.</numerusform>
         </translation>
     </message>
 </context>

@@ -734,6 +734,629 @@ Abra uma câmara, um vídeo ou uma pasta de imagens e depois prima Reproduzir.</
     </message>
 </context>
 <context>
+    <name>farol::ui::Kiosk</name>
+    <message>
+        <source>No map was given (farol --kiosk --map FILE).</source>
+        <translation>Não foi indicado um mapa (farol --kiosk --map FICHEIRO).</translation>
+    </message>
+    <message>
+        <source>The landmarks cannot be loaded: I will hardly know where you are. Ask for help.</source>
+        <translation>Não consigo carregar os pontos de referência: dificilmente saberei onde está. Peça ajuda.</translation>
+    </message>
+    <message>
+        <source>The destination cannot be kept for a restart: the folder cannot be written.</source>
+        <translation>O destino não pode ser guardado para um reinício: não é possível escrever na pasta.</translation>
+    </message>
+    <message>
+        <source>Beside it: %1.</source>
+        <translation>Ao lado: %1.</translation>
+    </message>
+    <message>
+        <source>So I know no way yet.</source>
+        <translation>Por isso ainda não conheço o caminho.</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::KioskMachine</name>
+    <message>
+        <source>One moment.</source>
+        <translation>Um momento.</translation>
+    </message>
+    <message>
+        <source>Farol. I am opening the map.</source>
+        <translation>Farol. Estou a abrir o mapa.</translation>
+    </message>
+    <message>
+        <source>The new map cannot be opened. I keep the old one.</source>
+        <translation>O novo mapa não pode ser aberto. Fico com o anterior.</translation>
+    </message>
+    <message>
+        <source>Farol was interrupted and has started again.</source>
+        <translation>O Farol foi interrompido e começou de novo.</translation>
+    </message>
+    <message>
+        <source>You were last here: %1.</source>
+        <translation>A última posição foi: %1.</translation>
+    </message>
+    <message>
+        <source>The camera works again.</source>
+        <translation>A câmara voltou a funcionar.</translation>
+    </message>
+    <message>
+        <source>Stop, and turn slowly to the right, so that I can look around.</source>
+        <translation>Pare e vire-se devagar para a direita, para eu poder olhar em volta.</translation>
+    </message>
+    <message>
+        <source>No destination is chosen yet. Choose one first.</source>
+        <translation>Ainda não escolheu um destino. Escolha um primeiro.</translation>
+    </message>
+    <message>
+        <source>This is the first place.</source>
+        <translation>Este é o primeiro lugar.</translation>
+    </message>
+    <message>
+        <source>This is the last place.</source>
+        <translation>Este é o último lugar.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n place(s). %2.</source>
+        <extracomment>%1 &quot;Rooms&quot;, %2 the first of them</extracomment>
+        <translation>
+            <numerusform>%1: %n lugar. %2.</numerusform>
+            <numerusform>%1: %n lugares. %2.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Type part of a name or a number, then press Enter.</source>
+        <translation>Escreva parte de um nome ou número e prima Enter.</translation>
+    </message>
+    <message>
+        <source>space</source>
+        <translation>espaço</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n place(s).</source>
+        <comment>while typing</comment>
+        <extracomment>%1 the letter just typed</extracomment>
+        <translation>
+            <numerusform>%1: %n lugar.</numerusform>
+            <numerusform>%1: %n lugares.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Nothing is typed.</source>
+        <translation>Nada foi escrito.</translation>
+    </message>
+    <message>
+        <source>Deleted: %1. %2</source>
+        <translation>Apagado: %1. %2</translation>
+    </message>
+    <message>
+        <source>%1 %2. Enter: go there. Arrow down: next.</source>
+        <translation>%1 %2. Enter: ir para lá. Seta para baixo: seguinte.</translation>
+    </message>
+    <message>
+        <source>Nothing is chosen yet. Press arrow down to hear the places.</source>
+        <translation>Ainda nada foi escolhido. Prima a seta para baixo para ouvir os lugares.</translation>
+    </message>
+    <message>
+        <source>I try the camera again.</source>
+        <translation>Vou tentar a câmara outra vez.</translation>
+    </message>
+    <message>
+        <source>Going on. %1</source>
+        <translation>Continuo. %1</translation>
+    </message>
+    <message>
+        <source>This key does nothing. Escape: back.</source>
+        <translation>Esta tecla não faz nada. Escape: voltar.</translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <extracomment>%1 a key, %2 what it does</extracomment>
+        <translation>%1: %2.</translation>
+    </message>
+    <message>
+        <source>Back to the kinds of places.</source>
+        <translation>Voltar aos tipos de lugares.</translation>
+    </message>
+    <message>
+        <source>Leave Farol.</source>
+        <translation>Sair do Farol.</translation>
+    </message>
+    <message>
+        <source>Start.</source>
+        <translation>Começar.</translation>
+    </message>
+    <message>
+        <source>Hear the whole way.</source>
+        <translation>Ouvir o caminho todo.</translation>
+    </message>
+    <message>
+        <source>Another place.</source>
+        <translation>Outro lugar.</translation>
+    </message>
+    <message>
+        <source>Try the camera again.</source>
+        <translation>Tentar a câmara outra vez.</translation>
+    </message>
+    <message>
+        <source>Stop the guidance.</source>
+        <translation>Parar a orientação.</translation>
+    </message>
+    <message>
+        <source>Choose another place.</source>
+        <translation>Escolher outro lugar.</translation>
+    </message>
+    <message>
+        <source>Yes, stop.</source>
+        <translation>Sim, parar.</translation>
+    </message>
+    <message>
+        <source>No, go on.</source>
+        <translation>Não, continuar.</translation>
+    </message>
+    <message>
+        <source>Yes, leave.</source>
+        <translation>Sim, sair.</translation>
+    </message>
+    <message>
+        <source>No, stay.</source>
+        <translation>Não, ficar.</translation>
+    </message>
+    <message>
+        <source>Press space to hear what there is, then Enter.</source>
+        <translation>Prima espaço para ouvir o que há e depois Enter.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n place(s). Space: first place.</source>
+        <translation>
+            <numerusform>%1: %n lugar. Espaço: primeiro lugar.</numerusform>
+            <numerusform>%1: %n lugares. Espaço: primeiro lugar.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1. %2 of %3.</source>
+        <extracomment>%1 a place, then which of how many</extracomment>
+        <translation>%1. %2 de %3.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Choose a destination: %n place(s).</source>
+        <translation>
+            <numerusform>Escolha um destino: %n lugar.</numerusform>
+            <numerusform>Escolha um destino: %n lugares.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Space: next. Enter: take it.</source>
+        <translation>Espaço: seguinte. Enter: escolher.</translation>
+    </message>
+    <message>
+        <source>Arrow down: first place. F: type a name. F1: all keys.</source>
+        <translation>Seta para baixo: primeiro lugar. F: escrever um nome. F1: todas as teclas.</translation>
+    </message>
+    <message>
+        <source>To: %1.</source>
+        <translation>Destino: %1.</translation>
+    </message>
+    <message>
+        <source>I do not know yet where you are, and look for it on the way.</source>
+        <translation>Ainda não sei onde está e vou procurar pelo caminho.</translation>
+    </message>
+    <message>
+        <source>Space: choices.</source>
+        <translation>Espaço: opções.</translation>
+    </message>
+    <message>
+        <source>Enter: start. L: the whole way. Escape: another place.</source>
+        <translation>Enter: começar. L: o caminho todo. Escape: outro lugar.</translation>
+    </message>
+    <message>
+        <source>Stop the guidance?</source>
+        <translation>Parar a orientação?</translation>
+    </message>
+    <message>
+        <source>Leave Farol?</source>
+        <translation>Sair do Farol?</translation>
+    </message>
+    <message>
+        <source>Enter or Escape: yes. Any other key: no.</source>
+        <translation>Enter ou Escape: sim. Qualquer outra tecla: não.</translation>
+    </message>
+    <message>
+        <source>No camera is set up, and I cannot guide you. Ask for help.</source>
+        <translation>Não há câmara configurada e não posso orientar. Peça ajuda.</translation>
+    </message>
+    <message>
+        <source>The camera is starting.</source>
+        <translation>A câmara está a começar.</translation>
+    </message>
+    <message>
+        <source>Stop. The camera gives no pictures, and I cannot guide you. Enter: try again.</source>
+        <translation>Pare. A câmara não dá imagens e não posso orientar. Enter: tentar outra vez.</translation>
+    </message>
+    <message>
+        <source>The camera gives no pictures. I try it again when you start.</source>
+        <translation>A câmara não dá imagens. Tento outra vez quando começar.</translation>
+    </message>
+    <message>
+        <source>No place fits: %1. Delete letters, or press Escape.</source>
+        <translation>Nenhum lugar corresponde: %1. Apague letras ou prima Escape.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n place(s) fit: %1.</source>
+        <translation>
+            <numerusform>%n lugar corresponde: %1.</numerusform>
+            <numerusform>%n lugares correspondem: %1.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>This map has no places to go to. Ask for help.</source>
+        <translation>Este mapa não tem lugares aonde ir. Peça ajuda.</translation>
+    </message>
+    <message>
+        <source>The map cannot be opened. Ask for help.</source>
+        <translation>O mapa não pode ser aberto. Peça ajuda.</translation>
+    </message>
+    <message>
+        <source>The map is being opened. Please wait.</source>
+        <translation>O mapa está a ser aberto. Aguarde.</translation>
+    </message>
+    <message>
+        <source>On the way to: %1.</source>
+        <translation>A caminho de: %1.</translation>
+    </message>
+    <message>
+        <source>You have arrived: %1. Enter: another destination.</source>
+        <translation>Chegou: %1. Enter: outro destino.</translation>
+    </message>
+    <message>
+        <source>Goodbye.</source>
+        <translation>Adeus.</translation>
+    </message>
+    <message>
+        <source>Quiet: I tell only warnings and what you ask. M: speak again.</source>
+        <translation>Silêncio: digo só avisos e o que perguntar. M: voltar a falar.</translation>
+    </message>
+    <message>
+        <source>I tell everything again.</source>
+        <translation>Volto a dizer tudo.</translation>
+    </message>
+    <message>
+        <source>Speed %1 of %2.</source>
+        <translation>Velocidade %1 de %2.</translation>
+    </message>
+    <message>
+        <source>I speak English now.</source>
+        <translation>Falo português agora.</translation>
+    </message>
+    <message>
+        <source>Two keys: space goes through the choices, Enter takes one. F4: all keys again.</source>
+        <translation>Duas teclas: espaço percorre as opções, Enter escolhe. F4: outra vez todas as teclas.</translation>
+    </message>
+    <message>
+        <source>All keys are in use again.</source>
+        <translation>Todas as teclas voltam a funcionar.</translation>
+    </message>
+    <message>
+        <source>Farol</source>
+        <translation>Farol</translation>
+    </message>
+    <message>
+        <source>Where to? %1</source>
+        <translation>Para onde? %1</translation>
+    </message>
+    <message>
+        <source>Search: %1</source>
+        <translation>Procura: %1</translation>
+    </message>
+    <message>
+        <source>The way to %1</source>
+        <translation>Caminho: %1</translation>
+    </message>
+    <message>
+        <source>Walking to %1</source>
+        <translation>A caminho: %1</translation>
+    </message>
+    <message>
+        <source>Arrived</source>
+        <translation>Chegou</translation>
+    </message>
+    <message>
+        <source>Stop?</source>
+        <translation>Parar?</translation>
+    </message>
+    <message>
+        <source>Leave?</source>
+        <translation>Sair?</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Teclas</translation>
+    </message>
+    <message>
+        <source>Goodbye</source>
+        <translation>Adeus</translation>
+    </message>
+    <message>
+        <source>Space: next   Enter: take   F4: all keys</source>
+        <translation>Espaço: seguinte   Enter: escolher   F4: teclas</translation>
+    </message>
+    <message>
+        <source>Arrows: places   Enter: go   F: search   F1: keys</source>
+        <translation>Setas: lugares   Enter: ir   F1: teclas</translation>
+    </message>
+    <message>
+        <source>Enter: done   Esc: back</source>
+        <translation>Enter: feito   Esc: voltar</translation>
+    </message>
+    <message>
+        <source>Enter: start   L: whole way   Esc: back</source>
+        <translation>Enter: começar   L: caminho todo   Esc: voltar</translation>
+    </message>
+    <message>
+        <source>Space: again   W: where am I   Esc: stop</source>
+        <translation>Espaço: repetir   W: onde estou   Esc: parar</translation>
+    </message>
+    <message>
+        <source>Enter: another destination</source>
+        <translation>Enter: outro destino</translation>
+    </message>
+    <message>
+        <source>Enter: yes   any other key: no</source>
+        <translation>Enter: sim   outra tecla: não</translation>
+    </message>
+    <message>
+        <source>Esc: back   F1: number pad</source>
+        <translation>Esc: voltar   F1: teclado numérico</translation>
+    </message>
+    <message>
+        <source>Esc: leave   F1: keys</source>
+        <translation>Esc: sair   F1: teclas</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::KioskPage</name>
+    <message>
+        <source>Farol</source>
+        <translation>Farol</translation>
+    </message>
+    <message>
+        <source>Farol, guidance</source>
+        <translation>Farol, orientação</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::KioskPlaces</name>
+    <message>
+        <source>All places</source>
+        <translation>Todos os lugares</translation>
+    </message>
+    <message>
+        <source>Rooms</source>
+        <translation>Salas</translation>
+    </message>
+    <message>
+        <source>Toilets</source>
+        <translation>Casas de banho</translation>
+    </message>
+    <message>
+        <source>Halls</source>
+        <translation>Átrios</translation>
+    </message>
+    <message>
+        <source>Corridors</source>
+        <translation>Corredores</translation>
+    </message>
+    <message>
+        <source>Lifts</source>
+        <translation>Elevadores</translation>
+    </message>
+    <message>
+        <source>Stairs</source>
+        <translation>Escadas</translation>
+    </message>
+    <message>
+        <source>Ways out</source>
+        <translation>Saídas</translation>
+    </message>
+    <message>
+        <source>Other places</source>
+        <translation>Outros lugares</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::KioskWords</name>
+    <message>
+        <source>Arrow up</source>
+        <translation>Seta para cima</translation>
+    </message>
+    <message>
+        <source>Arrow down</source>
+        <translation>Seta para baixo</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Tecla Home</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Tecla End</translation>
+    </message>
+    <message>
+        <source>Arrow left</source>
+        <translation>Seta para a esquerda</translation>
+    </message>
+    <message>
+        <source>Arrow right</source>
+        <translation>Seta para a direita</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Tecla Enter</translation>
+    </message>
+    <message>
+        <source>Escape</source>
+        <translation>Tecla Escape</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Espaço</translation>
+    </message>
+    <message>
+        <source>Plus</source>
+        <translation>Mais</translation>
+    </message>
+    <message>
+        <source>Minus</source>
+        <translation>Menos</translation>
+    </message>
+    <message>
+        <source>the place before</source>
+        <translation>o lugar anterior</translation>
+    </message>
+    <message>
+        <source>the next place</source>
+        <translation>o lugar seguinte</translation>
+    </message>
+    <message>
+        <source>the first place</source>
+        <translation>o primeiro lugar</translation>
+    </message>
+    <message>
+        <source>the last place</source>
+        <translation>o último lugar</translation>
+    </message>
+    <message>
+        <source>another kind of places, back</source>
+        <translation>outro tipo de lugares, para trás</translation>
+    </message>
+    <message>
+        <source>another kind of places, on</source>
+        <translation>outro tipo de lugares, para a frente</translation>
+    </message>
+    <message>
+        <source>choose, start</source>
+        <translation>escolher, começar</translation>
+    </message>
+    <message>
+        <source>back; hold it down to leave</source>
+        <translation>voltar; manter premida para sair</translation>
+    </message>
+    <message>
+        <source>say again</source>
+        <translation>dizer outra vez</translation>
+    </message>
+    <message>
+        <source>where am I</source>
+        <translation>onde estou</translation>
+    </message>
+    <message>
+        <source>what is around me</source>
+        <translation>o que há à minha volta</translation>
+    </message>
+    <message>
+        <source>what comes next</source>
+        <translation>o que vem a seguir</translation>
+    </message>
+    <message>
+        <source>the whole way</source>
+        <translation>o caminho todo</translation>
+    </message>
+    <message>
+        <source>look around</source>
+        <translation>olhar em volta</translation>
+    </message>
+    <message>
+        <source>quiet, or speak again</source>
+        <translation>silêncio, ou voltar a falar</translation>
+    </message>
+    <message>
+        <source>speak faster</source>
+        <translation>falar mais depressa</translation>
+    </message>
+    <message>
+        <source>speak slower</source>
+        <translation>falar mais devagar</translation>
+    </message>
+    <message>
+        <source>how much I tell</source>
+        <translation>quanto digo</translation>
+    </message>
+    <message>
+        <source>how I tell directions</source>
+        <translation>como digo as direções</translation>
+    </message>
+    <message>
+        <source>metres, feet or steps</source>
+        <translation>metros, pés ou passos</translation>
+    </message>
+    <message>
+        <source>search a place by typing</source>
+        <translation>procurar um lugar escrevendo</translation>
+    </message>
+    <message>
+        <source>the keys</source>
+        <translation>as teclas</translation>
+    </message>
+    <message>
+        <source>English or Portuguese</source>
+        <translation>inglês ou português</translation>
+    </message>
+    <message>
+        <source>everything with two keys</source>
+        <translation>tudo com duas teclas</translation>
+    </message>
+    <message>
+        <source>Keys. Press one to hear what it does; F1: number pad; Escape: back.</source>
+        <translation>Teclas. Prima uma para ouvir o que faz; F1: teclado numérico; Escape: voltar.</translation>
+    </message>
+    <message>
+        <source>Number pad. 8 and 2: up and down. 4 and 6: left and right. 5 or Enter: choose. 0: say again. 1: where am I. 3: around me. 7: what comes next. 9: the whole way. Plus and minus: speed. Star: keys. Slash: quiet. Point: back.</source>
+        <translation>Teclado numérico. 8 e 2: para cima e para baixo. 4 e 6: esquerda e direita. 5 ou Enter: escolher. 0: dizer outra vez. 1: onde estou. 3: à minha volta. 7: o que vem a seguir. 9: o caminho todo. Mais e menos: velocidade. Asterisco: teclas. Barra: silêncio. Ponto: voltar.</translation>
+    </message>
+    <message>
+        <source>This key does nothing here. F1: all keys.</source>
+        <translation>Esta tecla não faz nada aqui. F1: todas as teclas.</translation>
+    </message>
+    <message>
+        <source>I tell directions only.</source>
+        <translation>Digo só as direções.</translation>
+    </message>
+    <message>
+        <source>I tell directions and objects.</source>
+        <translation>Digo direções e objetos.</translation>
+    </message>
+    <message>
+        <source>I tell directions, objects and texts.</source>
+        <translation>Digo direções, objetos e textos.</translation>
+    </message>
+    <message>
+        <source>Directions as left and right.</source>
+        <translation>Direções como esquerda e direita.</translation>
+    </message>
+    <message>
+        <source>Directions as on a clock.</source>
+        <translation>Direções como num relógio.</translation>
+    </message>
+    <message>
+        <source>Directions in degrees.</source>
+        <translation>Direções em graus.</translation>
+    </message>
+    <message>
+        <source>Distances in metres.</source>
+        <translation>Distâncias em metros.</translation>
+    </message>
+    <message>
+        <source>Distances in feet.</source>
+        <translation>Distâncias em pés.</translation>
+    </message>
+    <message>
+        <source>Distances in steps.</source>
+        <translation>Distâncias em passos.</translation>
+    </message>
+</context>
+<context>
     <name>farol::ui::LandmarkDialog</name>
     <message>
         <source>Landmark %1</source>
@@ -2465,6 +3088,52 @@ Abra um com Ctrl+O.</translation>
     <message>
         <source>to the north</source>
         <translation>a norte</translation>
+    </message>
+    <message numerus="yes">
+        <source>About %n foot(feet).</source>
+        <comment>length of the route</comment>
+        <translation>
+            <numerusform>Cerca de %n pé.</numerusform>
+            <numerusform>Cerca de %n pés.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>About %n step(s).</source>
+        <comment>length of the route</comment>
+        <translation>
+            <numerusform>Cerca de %n passo.</numerusform>
+            <numerusform>Cerca de %n passos.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>In about %n foot(feet)</source>
+        <comment>then what is there</comment>
+        <translation>
+            <numerusform>Daqui a cerca de %n pé</numerusform>
+            <numerusform>Daqui a cerca de %n pés</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>In about %n step(s)</source>
+        <comment>then what is there</comment>
+        <translation>
+            <numerusform>Daqui a cerca de %n passo</numerusform>
+            <numerusform>Daqui a cerca de %n passos</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Keep moving forward for about %n foot(feet).</source>
+        <translation>
+            <numerusform>Continue em frente cerca de %n pé.</numerusform>
+            <numerusform>Continue em frente cerca de %n pés.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Keep moving forward for about %n step(s).</source>
+        <translation>
+            <numerusform>Continue em frente cerca de %n passo.</numerusform>
+            <numerusform>Continue em frente cerca de %n passos.</numerusform>
+        </translation>
     </message>
 </context>
 <context>

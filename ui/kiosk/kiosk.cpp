@@ -10,8 +10,6 @@
 namespace farol::ui {
 
 using guidance::Cue;
-using guidance::CueKind;
-using guidance::CuePriority;
 
 namespace {
 
@@ -140,10 +138,8 @@ void Kiosk::mapCame() {
 
 void Kiosk::cueCame(const Cue& cue) {
     if (!m_machine.wants(cue)) return;
-    if (cue.priority == CuePriority::Warning && cue.reason != guidance::CueReason::CameraBack)
-        m_chimes->play(Sound::Warning);
-    else if (cue.kind == CueKind::Unsure && cue.sweep == guidance::SweepStep::Done)
-        m_chimes->play(Sound::Fix);
+    if (cue.chime != guidance::Chime::None)
+        m_chimes->play(cue.chime == guidance::Chime::Fix ? Sound::Fix : Sound::Warning);
     m_speech.add(cue);
 }
 

@@ -113,7 +113,7 @@ void KioskMachine::setRegion(const std::optional<RegionId>& region) {
 }
 
 bool KioskMachine::wants(const Cue& cue) {
-    m_patience.stop();
+    if (cue.asked) m_patience.stop();
     const bool warning = cue.priority == CuePriority::Warning;
     const KioskState state = underlying();
     const bool way = state == KioskState::Walking || state == KioskState::Preview;
@@ -124,7 +124,7 @@ bool KioskMachine::wants(const Cue& cue) {
         return true;
     }
     if (m_sweep > 0 && cue.kind == CueKind::Unsure) return false; // one coach at a time
-    if (warning) return true;
+    if (warning || cue.asked) return true;
     switch (state) {
     case KioskState::Preview:
         if (cue.kind == CueKind::NoRoute) {

@@ -310,4 +310,8 @@ void Walk::setVerbosity(guidance::Verbosity verbosity) {
     if (m_session) m_session->setVerbosity(verbosity);
 }
 
+void Walk::ask(guidance::Question question) {
+    if (m_session) m_session->ask(question);
+}
+
 } // namespace farol::ui

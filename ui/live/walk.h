@@ -48,6 +48,8 @@ public:
     void setStart(const std::optional<RegionId>& region);
     void setDestination(const std::optional<RegionId>& region);
     void setVerbosity(guidance::Verbosity verbosity);
+    /// The answer comes as a cue; without a walk none comes.
+    void ask(guidance::Question question);
     /// Where the next walk is recorded; empty: it is not. A running walk keeps what it has.
     void setRecordFolder(std::function<std::optional<QString>()> nextFolder) {
         m_nextFolder = std::move(nextFolder);

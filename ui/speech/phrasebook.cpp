@@ -98,12 +98,11 @@ QString Phrasebook::facing(const Cue& cue) const {
 QString Phrasebook::prepare(const Cue& cue) const {
     if (!cue.manoeuvre) return {};
     // A thing that is felt tells more than metres do.
-    const int metres = cue.sure && !cue.mark ? spoken::metres(cue.distanceM) : 0;
-    const QString opener = metres > 0 ? tr("In about %n metre(s)", "then what is there", metres)
+    const int metres = cue.sure && !cue.mark ? counted(cue.distanceM) : 0;
+    const QString opener = metres > 0 ? ahead(metres)
                            : cue.sure ? tr("Soon")
                                       : tr("Soon, probably");
-    const QString distance = metres > 0 ? ahead(counted(cue.distanceM)) : opener;
-    return spoken::joined({facing(cue), announced(cue, distance, *cue.manoeuvre)});
+    return spoken::joined({facing(cue), announced(cue, opener, *cue.manoeuvre)});
 }
 
 QString Phrasebook::reassure(const Cue& cue) const {

@@ -417,8 +417,8 @@ QString Phrasebook::itinerary(const Cue& cue) const {
     QStringList sentences;
     const QString destination = spoken::name(cue.regionName);
     if (!destination.isEmpty()) sentences << tr("Destination: %1.").arg(destination);
-    const int metres = cue.sure ? spoken::metres(cue.distanceM) : 0;
-    if (metres > 0) sentences << tr("About %n metre(s).", "length of the route", metres);
+    const int count = cue.sure ? counted(cue.distanceM) : 0;
+    if (count > 0) sentences << length(count);
     const std::size_t told = std::min(cue.steps.size(), kMostSteps);
     for (std::size_t i = 0; i < told; ++i) {
         const Cue& step = cue.steps[i];

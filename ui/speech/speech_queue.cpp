@@ -136,6 +136,12 @@ void SpeechQueue::enqueue(Utterance utterance) {
 
 /// A more urgent cue does not wait for the end of what is being said, nor for the silence after it.
 void SpeechQueue::interruptFor(const Cue& cue) {
+    // The answer to the newest key: what an older one began to tell is not wanted any more.
+    if (cue.asked) m_gap.stop();
+    if (cue.asked && m_current && (m_current->own || m_current->cue.asked)) {
+        finish(UtteranceState::Interrupted);
+        return speakNext();
+    }
     if (!m_current) {
         if (cue.priority <= CuePriority::ActNow) m_gap.stop();
         return;
@@ -266,7 +272,7 @@ void SpeechQueue::repeatLast() {
 void SpeechQueue::say(const QString& text) {
     Utterance own;
     own.cue.kind = CueKind::Located; // no instruction to move, so that no other cue makes it void
-    own.cue.priority = CuePriority::Arrival;
+    own.cue.priority = CuePriority::Answer;
     own.cue.time = m_now;
     own.text = text;
     own.own = true;

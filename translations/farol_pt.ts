@@ -747,14 +747,6 @@ Abra uma câmara, um vídeo ou uma pasta de imagens e depois prima Reproduzir.</
         <source>The destination cannot be kept for a restart: the folder cannot be written.</source>
         <translation>O destino não pode ser guardado para um reinício: não é possível escrever na pasta.</translation>
     </message>
-    <message>
-        <source>Beside it: %1.</source>
-        <translation>Ao lado: %1.</translation>
-    </message>
-    <message>
-        <source>So I know no way yet.</source>
-        <translation>Por isso ainda não conheço o caminho.</translation>
-    </message>
 </context>
 <context>
     <name>farol::ui::KioskMachine</name>
@@ -4186,6 +4178,14 @@ Abra um com Ctrl+O.</translation>
     <message>
         <source>Correct the sides of the door, or put in another one.</source>
         <translation>Corrija os lados da porta, ou ponha outra.</translation>
+    </message>
+    <message>
+        <source>Names that nobody can say</source>
+        <translation>Nomes que ninguém consegue dizer</translation>
+    </message>
+    <message>
+        <source>Give the region the name that people use; this one is never spoken.</source>
+        <translation>Dê ao espaço o nome que as pessoas usam; este nunca é dito.</translation>
     </message>
 </context>
 <context>

@@ -26,26 +26,6 @@ constexpr double kLandmarkM = 8.0;
 constexpr double kHereM = 0.7; // nearer, a thing has no direction
 constexpr std::size_t kMostAround = 6;
 
-ManoeuvreKind kindOf(AccessKind kind) {
-    switch (kind) {
-    case AccessKind::Opening:
-        return ManoeuvreKind::Opening;
-    case AccessKind::Stairs:
-        return ManoeuvreKind::Stairs;
-    case AccessKind::Elevator:
-        return ManoeuvreKind::Elevator;
-    case AccessKind::Escalator:
-        return ManoeuvreKind::Escalator;
-    case AccessKind::Ramp:
-        return ManoeuvreKind::Ramp;
-    case AccessKind::Door:
-    case AccessKind::Window:
-    case AccessKind::Other:
-        break;
-    }
-    return ManoeuvreKind::Door;
-}
-
 bool isWorthTelling(Kind kind) {
     return kind != Kind::Place && kind != Kind::Rectangle && kind != Kind::Other && kind != Kind::Door;
 }
@@ -134,7 +114,7 @@ std::vector<Surrounding> CueStep::accessesAround(std::size_t region, Bearing bea
         if (!other || !access.passable()) continue;
         const building::Region& behind = m_building.regions()[*other];
         Surrounding what;
-        what.access = kindOf(access.kind);
+        what.access = routing::manoeuvreKindOf(access.kind);
         what.name = building::sayableName(behind);
         what.behind = behind.kind;
         double rise = behind.level - m_building.regions()[region].level;

@@ -204,26 +204,6 @@ Manoeuvre PathWalk::end(ManoeuvreKind kind) const {
     return manoeuvre;
 }
 
-ManoeuvreKind kindOf(AccessKind kind) {
-    switch (kind) {
-    case AccessKind::Opening:
-        return ManoeuvreKind::Opening;
-    case AccessKind::Stairs:
-        return ManoeuvreKind::Stairs;
-    case AccessKind::Elevator:
-        return ManoeuvreKind::Elevator;
-    case AccessKind::Escalator:
-        return ManoeuvreKind::Escalator;
-    case AccessKind::Ramp:
-        return ManoeuvreKind::Ramp;
-    case AccessKind::Door:
-    case AccessKind::Window:
-    case AccessKind::Other:
-        return ManoeuvreKind::Door;
-    }
-    return ManoeuvreKind::Door;
-}
-
 bool PathWalk::changesLevel(std::size_t portal) const {
     const Region* from = m_building.region(m_route.regions[portal]);
     const Region* into = m_building.region(m_route.regions[portal + 1]);
@@ -275,7 +255,7 @@ Manoeuvre PathWalk::passing(std::size_t portal, const Bend& bend) const {
     if (std::abs(manoeuvre.targetLevel - manoeuvre.level) > 1e-6)
         manoeuvre.vertical = manoeuvre.targetLevel > manoeuvre.level ? Vertical::Up : Vertical::Down;
     if (const Access* access = m_building.access(manoeuvre.access)) {
-        manoeuvre.kind = kindOf(access->kind);
+        manoeuvre.kind = manoeuvreKindOf(access->kind);
         manoeuvre.steps = access->steps;
     }
     if (changesLevel(portal)) manoeuvre.turn = {};
@@ -313,6 +293,26 @@ std::vector<Manoeuvre> PathWalk::manoeuvres() const {
 }
 
 } // namespace
+
+ManoeuvreKind manoeuvreKindOf(AccessKind kind) {
+    switch (kind) {
+    case AccessKind::Opening:
+        return ManoeuvreKind::Opening;
+    case AccessKind::Stairs:
+        return ManoeuvreKind::Stairs;
+    case AccessKind::Elevator:
+        return ManoeuvreKind::Elevator;
+    case AccessKind::Escalator:
+        return ManoeuvreKind::Escalator;
+    case AccessKind::Ramp:
+        return ManoeuvreKind::Ramp;
+    case AccessKind::Door:
+    case AccessKind::Window:
+    case AccessKind::Other:
+        return ManoeuvreKind::Door;
+    }
+    return ManoeuvreKind::Door;
+}
 
 std::vector<Manoeuvre> manoeuvresAlong(const Building& building, const Route& route,
                                        const std::vector<std::size_t>& portals) {

@@ -19,6 +19,9 @@ enum class ManoeuvreKind { Start, Door, Opening, Stairs, Elevator, Escalator, Ra
 enum class Vertical { None, Up, Down };
 enum class Side { None, Left, Right };
 
+/// How an access of this kind is passed; a window or an unknown kind counts as a door.
+ManoeuvreKind manoeuvreKindOf(building::AccessKind kind);
+
 /// One thing to do on the way. `turn` is how the walking direction changes there, from the path's own
 /// geometry (counter-clockwise, so left, is positive); 0 on Start and Arrive, and on stairs, lifts and
 /// escalators, which may turn as they like. A lift's `into` and `targetLevel` are those of the whole ride:

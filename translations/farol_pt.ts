@@ -158,6 +158,77 @@
     </message>
 </context>
 <context>
+    <name>farol::ui::DemoBar</name>
+    <message>
+        <source>Visitor %1 arrived at %2 after %3. The next one comes in a moment.</source>
+        <translation>O visitante %1 chegou a %2 em %3. O próximo vem já a seguir.</translation>
+    </message>
+    <message>
+        <source>Visitor %1 did not come to %2 and was fetched. The next one comes in a moment.</source>
+        <translation>O visitante %1 não chegou a %2 e foram buscá-lo. O próximo vem já a seguir.</translation>
+    </message>
+    <message>
+        <source>A simulated building and camera. Visitor %1 wants to go from %2 to %3 (%4 m) and hears only what is said. Choose another destination at any time.</source>
+        <translation>Edifício e câmara simulados. O visitante %1 quer ir de %2 para %3 (%4 m) e só ouve o que é dito. Pode escolher outro destino a qualquer momento.</translation>
+    </message>
+    <message>
+        <source>&amp;Demo</source>
+        <translation>&amp;Demonstração</translation>
+    </message>
+    <message>
+        <source>Demo</source>
+        <translation>Demonstração</translation>
+    </message>
+    <message>
+        <source>&amp;Wrong turn</source>
+        <translation>Caminho &amp;errado</translation>
+    </message>
+    <message>
+        <source>Wrong turn</source>
+        <translation>Caminho errado</translation>
+    </message>
+    <message>
+        <source>The walker takes another way than was said</source>
+        <translation>O visitante segue por outro lado do que foi dito</translation>
+    </message>
+    <message>
+        <source>&amp;Cover the camera</source>
+        <translation>&amp;Tapar a câmara</translation>
+    </message>
+    <message>
+        <source>Cover camera</source>
+        <translation>Tapar câmara</translation>
+    </message>
+    <message>
+        <source>A hand lies on the simulated camera</source>
+        <translation>Uma mão tapa a câmara simulada</translation>
+    </message>
+    <message>
+        <source>&amp;Lights out</source>
+        <translation>Apagar as &amp;luzes</translation>
+    </message>
+    <message>
+        <source>Lights out</source>
+        <translation>Apagar luzes</translation>
+    </message>
+    <message>
+        <source>Nearly dark in the whole building</source>
+        <translation>Quase às escuras em todo o edifício</translation>
+    </message>
+    <message>
+        <source>&amp;Next visitor</source>
+        <translation>&amp;Próximo visitante</translation>
+    </message>
+    <message>
+        <source>Next visitor</source>
+        <translation>Próximo visitante</translation>
+    </message>
+    <message>
+        <source>End this walk; somebody else comes with another destination</source>
+        <translation>Terminar este percurso; vem outra pessoa com outro destino</translation>
+    </message>
+</context>
+<context>
     <name>farol::ui::DetectionModel</name>
     <message>
         <source>%1 %</source>
@@ -1479,6 +1550,33 @@ Abra uma câmara, um vídeo ou uma pasta de imagens e depois prima Reproduzir.</
     </message>
 </context>
 <context>
+    <name>farol::ui::LocaliserMenu</name>
+    <message>
+        <source>&amp;How the place is worked out</source>
+        <translation>Como se determina o &amp;lugar</translation>
+    </message>
+    <message>
+        <source>Filter, for people who are &amp;guided</source>
+        <translation>Filtro, para pessoas &amp;guiadas</translation>
+    </message>
+    <message>
+        <source>Filter, for people who &amp;know their way</source>
+        <translation>Filtro, para quem &amp;conhece o caminho</translation>
+    </message>
+    <message>
+        <source>&amp;Voting</source>
+        <translation>&amp;Votação</translation>
+    </message>
+    <message>
+        <source>Voting as first &amp;printed</source>
+        <translation>Votação como foi &amp;publicada</translation>
+    </message>
+    <message>
+        <source>From the next start of a walk</source>
+        <translation>A partir do próximo início de um percurso</translation>
+    </message>
+</context>
+<context>
     <name>farol::ui::MainWindow</name>
     <message>
         <source>About Farol</source>
@@ -1599,6 +1697,10 @@ Guia uma pessoa cega por um edifício com uma câmara comum: reconhece o que lhe
     <message>
         <source>Watch a walk, or work on a map (Ctrl+1, Ctrl+2)</source>
         <translation>Acompanhar um percurso, ou trabalhar num mapa (Ctrl+1, Ctrl+2)</translation>
+    </message>
+    <message>
+        <source>&amp;Next visitor now</source>
+        <translation>&amp;Próximo visitante já</translation>
     </message>
 </context>
 <context>
@@ -2039,6 +2141,10 @@ Guia uma pessoa cega por um edifício com uma câmara comum: reconhece o que lhe
     <message>
         <source>Drag to move, turn the wheel to zoom, double-click a place to go there</source>
         <translation>Arraste para mover, rode a roda para ampliar, faça duplo clique num lugar para ir até lá</translation>
+    </message>
+    <message>
+        <source>Taken to be in %1: %2. Really in %3.</source>
+        <translation>Suposto em %1: %2. Na verdade em %3.</translation>
     </message>
 </context>
 <context>

@@ -73,7 +73,7 @@ const std::map<std::string, guidance::Verbosity>& verbosities() {
 
 session::SessionOptions sessionOptions(const RunOptions& options) {
     session::SessionOptions session;
-    session.navigator.localiser = options.localiser;
+    session.navigator = session::NavigatorOptions::with(options.localiser);
     session.navigator.guidance.verbosity = verbosities().at(options.verbosity);
     session.pace =
         options.realTime || options.speak ? session::Pace::RealTime : session::Pace::AsFastAsPossible;
@@ -87,7 +87,7 @@ session::SessionOptions sessionOptions(const RunOptions& options) {
 /// The simulated walker of sim:WHERE; null for all other sources, and where `exitCode` tells of a failure.
 std::unique_ptr<simulation::WalkSource>
 openSimulation(const RunOptions& options, const std::shared_ptr<const building::Building>& building,
-               bool inTime, int& exitCode) {
+               int& exitCode) {
     std::optional<building::Location> start;
     std::string where = options.source.substr(std::strlen(kSimulated));
     if (where.empty()) {
@@ -105,7 +105,6 @@ openSimulation(const RunOptions& options, const std::shared_ptr<const building::
     walk.walker.seed = walk.camera.seed = options.seed;
     walk.camera.shake = simulation::Shake::Chest;
     if (options.framesPerSecond > 0.0) walk.framesPerSecond = options.framesPerSecond;
-    walk.waitsForAnswers = !inTime;
     auto source = simulation::WalkSource::create(*world, *start, walk);
     if (source) return std::move(source).value();
     exitCode = report(source.error());
@@ -164,10 +163,8 @@ int run(const RunOptions& options) {
     if (!openLibrary(options.library, options.map, library, exitCode)) return exitCode;
     simulation::WalkSource* walker = nullptr;
     std::unique_ptr<capture::FrameSource> source;
-    session::SessionOptions sessionSettings = sessionOptions(options);
     if (options.source.rfind(kSimulated, 0) == 0) {
-        bool inTime = sessionSettings.pace == session::Pace::RealTime;
-        auto simulated = openSimulation(options, building, inTime, exitCode);
+        auto simulated = openSimulation(options, building, exitCode);
         if (!simulated) return exitCode;
         walker = simulated.get();
         source = std::move(simulated);
@@ -191,7 +188,7 @@ int run(const RunOptions& options) {
     std::optional<WalkSpeech> speech;
     if (options.speak) speech.emplace(options.language);
     auto session =
-        session::NavigationSession::create(building, library, std::move(source), sessionSettings,
+        session::NavigationSession::create(building, library, std::move(source), sessions,
                                            handlersFor(printer, speech ? &*speech : nullptr, walker));
     if (!session) return report(session.error());
     if (start) (*session)->setStart(start->region);

@@ -44,7 +44,7 @@ session::Json jsonOf(const session::ClosedLoopResult& result) {
 
 session::ClosedLoopOptions loopOptions(const SimulateOptions& options) {
     session::ClosedLoopOptions loop;
-    loop.navigator.localiser = options.localiser;
+    loop.navigator = session::NavigatorOptions::with(options.localiser);
     loop.knownStart = !options.unknownStart;
     loop.walker.seed = options.seed;
     loop.walker.wilfulness = options.wilfulness;

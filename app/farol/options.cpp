@@ -62,11 +62,14 @@ Options optionsFrom(const QStringList& arguments) {
     const auto dark = flag("dark", "Dark colours");
     const auto alike = flag("alike", "Mark the places that look alike");
     const auto library = value("library", "file", "Landmark library");
-    const auto source =
-        value("source", "source", "camera:0, a video file, a folder of pictures, an http or rtsp address");
+    const auto source = value("source", "source",
+                              "camera:0, a video file, a folder of pictures, an http or rtsp address, "
+                              "sim:WHERE or sim: (simulated visitors)");
     const auto fps = value("fps", "number", "Pictures a second of a folder");
     const auto from = value("from", "where", "Where the walk starts");
     const auto to = value("to", "where", "Where to go");
+    const auto localiser =
+        value("localiser", "name", "bayes-guided, bayes, voting or voting-literal (as in the settings)");
     const auto lang = value("lang", "language", "en or pt");
     const auto start = flag("start", "Begin to play at once");
     const auto banner = value("banner", "text", "Which example is running");
@@ -87,9 +90,10 @@ Options optionsFrom(const QStringList& arguments) {
                        .arg(parser.positionalArguments().first()));
 
     Options options;
-    options.begin = {parser.value(map),  parser.value(library), parser.value(source), 0.0,
-                     parser.value(from), parser.value(to),      parser.value(banner), parser.isSet(start),
-                     parser.value(edit)};
+    options.begin = {
+        parser.value(map),       parser.value(library), parser.value(source), 0.0,
+        parser.value(from),      parser.value(to),      parser.value(banner), parser.isSet(start),
+        parser.value(localiser), parser.value(edit)};
     if (parser.isSet(fps))
         options.begin.framesPerSecond = positive(parser.value(fps), QStringLiteral("--fps"));
     options.language = parser.value(lang);

@@ -56,6 +56,10 @@ public:
     virtual std::optional<Frame> next() = 0;
     /// A camera or stream goes on without us, so late frames are dropped; files wait.
     virtual bool live() const = 0;
+    /// Waits for those who look, and keeps to a pace of its own (a simulation): nothing is dropped.
+    virtual bool keepsPace() const { return false; }
+    /// The pace of such a source, 1 as in life. From any thread.
+    virtual void setSpeed(double) {}
     /// Frames in all, where that is known beforehand.
     virtual std::optional<std::uint64_t> frameCount() const { return std::nullopt; }
     /// Seconds between frames in the nominal case (for paced playing); 0 when unknown.
@@ -65,7 +69,7 @@ public:
     virtual std::uint64_t skippedFrames() const { return 0; }
 
     void onEvent(std::function<void(const SourceEvent&)> handler) { m_handler = std::move(handler); }
-    void requestStop() { m_stop = true; }
+    virtual void requestStop() { m_stop = true; }
     bool stopRequested() const { return m_stop; }
 
 protected:

@@ -16,7 +16,7 @@
 namespace farol::session {
 
 struct ClosedLoopOptions {
-    NavigatorOptions navigator;
+    NavigatorOptions navigator = NavigatorOptions::with("bayes-guided");
     simulation::WalkerOptions walker;
     bool knownStart = true; ///< the region, never the spot or the way one faces
     double framesPerSecond = 5.0;
@@ -24,11 +24,6 @@ struct ClosedLoopOptions {
     /// The walk is given up after so many times the route's own time, and this much more.
     double patience = 4.0, patienceSeconds = 120.0;
 
-    /// The filter for those who are guided; words are sure from 0.8 on, as its confidence is a probability.
-    ClosedLoopOptions() {
-        navigator.localiser = "bayes-guided";
-        navigator.guidance.sureConfidence = 0.8;
-    }
     Result<void> check() const;
 };
 

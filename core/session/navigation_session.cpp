@@ -102,8 +102,8 @@ bool NavigationSession::Impl::capture(std::vector<std::string>& messages) {
     if (!frame) return false;
     Parcel parcel{std::move(*frame), std::exchange(messages, {})};
     if (source->live()) return inbox.putNewest(std::move(parcel));
-    return options.pace == Pace::RealTime ? inbox.putWhenDue(std::move(parcel))
-                                          : inbox.putWhenFree(std::move(parcel));
+    bool paced = options.pace == Pace::RealTime && !source->keepsPace();
+    return paced ? inbox.putWhenDue(std::move(parcel)) : inbox.putWhenFree(std::move(parcel));
 }
 
 void NavigationSession::Impl::runCapture() {
@@ -163,7 +163,7 @@ void NavigationSession::Impl::handle(const InboxItem& item) {
 
 bool NavigationSession::Impl::looksOnThreads() const {
     if (options.looks != Looks::ByPace) return options.looks == Looks::OnThreads;
-    return source->live() || options.pace == Pace::RealTime;
+    return source->live() || (options.pace == Pace::RealTime && !source->keepsPace());
 }
 
 Percept NavigationSession::Impl::look(const capture::Frame& frame, Perception& perception, HopTimes& times) {
@@ -317,6 +317,7 @@ NavigationSession::create(std::shared_ptr<const building::Building> building,
     }
     impl->library = std::move(library);
     impl->source = std::move(source);
+    if (options.pace == Pace::RealTime) impl->source->setSpeed(options.speed);
     impl->navigator = std::move(navigator).value();
     return std::unique_ptr<NavigationSession>(new NavigationSession(std::move(impl)));
 }
@@ -376,6 +377,7 @@ void NavigationSession::stepOnce() {
 }
 void NavigationSession::setSpeed(double factor) {
     m_impl->inbox.setSpeed(factor);
+    if (m_impl->options.pace == Pace::RealTime) m_impl->source->setSpeed(factor);
 }
 RunState NavigationSession::state() const {
     return m_impl->inbox.state();

@@ -8,6 +8,9 @@ namespace farol::session {
 
 namespace {
 
+constexpr const char* kGuidedLocaliser = "bayes-guided";
+constexpr double kGuidedSure = 0.8;
+
 Result<std::shared_ptr<const routing::Planner>>
 makePlanner(const std::shared_ptr<const building::Building>& building, const NavigatorOptions& options) {
     if (options.planner == "optimal")
@@ -46,6 +49,13 @@ Result<void> NavigatorOptions::check() const {
     for (const Result<void>& checked : {routing.check(), history.check(), tracker.check(), guidance.check()})
         if (!checked) return checked;
     return {};
+}
+
+NavigatorOptions NavigatorOptions::with(const std::string& localiser) {
+    NavigatorOptions options;
+    options.localiser = localiser;
+    if (localiser == kGuidedLocaliser) options.guidance.sureConfidence = kGuidedSure;
+    return options;
 }
 
 Result<std::unique_ptr<Navigator>> Navigator::create(std::shared_ptr<const building::Building> building,

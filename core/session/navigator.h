@@ -23,6 +23,9 @@ struct NavigatorOptions {
     guidance::GuidanceOptions guidance;
 
     Result<void> check() const;
+    /// Options for a user who knows the way only from what is said: the filter for them, whose confidence is
+    /// a probability, so that words are sure from .8 on. Any other name: the defaults with that localiser.
+    static NavigatorOptions with(const std::string& localiser);
 };
 
 class Navigator {

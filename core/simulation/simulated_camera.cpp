@@ -114,6 +114,10 @@ void SimulatedCamera::restart() {
     m_state->exposure.restart();
 }
 
+void SimulatedCamera::setLightsOut(bool out) {
+    m_state->options.lightsOut = out;
+}
+
 const CameraOptions& SimulatedCamera::options() const {
     return m_state->options;
 }

@@ -74,6 +74,7 @@ public:
     Result<RenderedFrame> render(const CameraPose& pose);
     /// As after create().
     void restart();
+    void setLightsOut(bool out);
 
     const CameraOptions& options() const;
     double focalLengthPx() const;

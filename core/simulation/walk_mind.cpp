@@ -33,6 +33,8 @@ constexpr double kDistanceTrustM = 2.5;
 /// Doors may be missed in counting; an order to act is believed over a count that is this much short.
 constexpr int kCountDoubt = 1;
 constexpr double kLookDeg = 100.0, kLookSeconds = 6.0;
+/// A wrong turn, and the door that is taken meanwhile, if there is one.
+constexpr double kWrongS = 9.0;
 
 int signOf(double value) {
     return value > 0.0 ? 1 : -1;
@@ -47,7 +49,7 @@ WalkMind::WalkMind(const WalkerOptions& options, localisation::Random& random)
 }
 
 void WalkMind::hear(const WalkInstruction& instruction) {
-    if (m_arrived || instruction.order == Order::Inform) return;
+    if (m_arrived || m_wrongS > 0.0 || instruction.order == Order::Inform) return;
     m_everTold = true;
     m_silentS = 0.0;
     switch (instruction.order) {
@@ -111,6 +113,20 @@ void WalkMind::go(const WalkInstruction& instruction) {
         beginLeg(true);
         done();
     }
+}
+
+void WalkMind::takeWrongTurn() {
+    if (m_arrived) return;
+    m_wrongS = kWrongS;
+    m_everTold = true;
+    m_halted = false;
+    m_sweep = SweepStep::None;
+    m_restS = m_lookS = 0.0;
+    m_task = m_then = {};
+    m_afterwards.reset();
+    turnBy(Radians{(chance(0.5) ? 1.0 : -1.0) * kPi * (0.5 + 0.4 * m_random.uniformDouble())});
+    beginLeg(true);
+    m_toldM = 0.0;
 }
 
 void WalkMind::beginLeg(bool known) {
@@ -211,6 +227,7 @@ std::optional<Wish> WalkMind::resting(double seconds) {
 }
 
 void WalkMind::pass(double seconds) {
+    m_wrongS = std::max(0.0, m_wrongS - seconds);
     m_sinceDone += seconds;
     m_sinceNow += seconds;
     look(seconds);
@@ -324,11 +341,13 @@ Wish WalkMind::takeIt(const Felt& felt) {
 }
 
 std::optional<Wish> WalkMind::stray(const Touch& touch) {
-    if (m_options.wilfulness <= 0.0) return std::nullopt;
+    bool wrong = m_wrongS > 0.0;
+    if (m_options.wilfulness <= 0.0 && !wrong) return std::nullopt;
     for (const Felt& felt : touch.felt) {
         if (felt.kind != AccessKind::Door || felt.cameThrough || !m_considered.insert(felt.handle).second)
             continue;
-        if (!chance(m_options.wilfulness)) continue;
+        if (!wrong && !chance(m_options.wilfulness)) continue;
+        m_wrongS = std::min(m_wrongS, 3.0);
         m_afterwards = Radians{};
         Wish wish;
         wish.take = felt;

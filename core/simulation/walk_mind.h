@@ -23,6 +23,11 @@ public:
     WalkMind(const WalkerOptions& options, localisation::Random& random);
 
     void hear(const WalkInstruction& instruction);
+    /// For some seconds one goes another way than was told, through the first door at hand, and listens to
+    /// nobody.
+    void takeWrongTurn();
+    /// What was told of an arrival is past: there is a new way to go.
+    void forgetArrival() { m_arrived = false; }
     /// The body came through something, wanted or not.
     void passed(building::AccessKind kind);
     Wish decide(double seconds, const Touch& touch);
@@ -71,6 +76,7 @@ private:
     double m_toldM = 0.0;          ///< walked since the present task was told
     std::optional<double> m_taskM; ///< how far it is, as told
     bool m_astray = false;
+    double m_wrongS = 0.0; ///< of a wrong turn, still to come
 
     bool m_legKnown = false;                        ///< one walks the way that was told
     std::array<std::set<std::size_t>, 2> m_counted; ///< doors on the left and on the right of this way

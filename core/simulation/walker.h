@@ -19,6 +19,8 @@ public:
 
     void hear(const guidance::Cue& cue) { hear(instructionOf(cue)); }
     void hear(const WalkInstruction& instruction) { m_mind.hear(instruction); }
+    void takeWrongTurn() { m_mind.takeWrongTurn(); }
+    void forgetArrival() { m_mind.forgetArrival(); }
     /// On to that time, in steps of at most a tenth of a second.
     void walkUntil(double time);
 

@@ -29,10 +29,11 @@ UI = {
     "map": {"convert"},
     "parts": {"convert", "speech", "settings", "models", "map"},
     "live": {"convert", "speech", "settings", "models", "map", "parts"},
+    "demo": {"convert", "speech", "settings", "models", "map", "parts", "live"},
     "training": {"convert", "speech", "settings", "models", "map", "parts"},
     "curation": {"convert", "speech", "settings", "models", "map", "parts"},
     "kiosk": {"convert", "speech", "settings", "models", "map", "parts", "live"},
-    "main_window": {"convert", "speech", "settings", "models", "map", "parts", "live", "training", "curation", "kiosk"},
+    "main_window": {"convert", "speech", "settings", "models", "map", "parts", "live", "demo", "training", "curation", "kiosk"},
 }
 # Words are made from guidance's cues alone: the Phrasebook must not see sessions or pictures.
 SPEECH_CORE = {"base", "building", "routing", "localisation", "guidance"}

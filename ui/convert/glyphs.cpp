@@ -35,7 +35,7 @@ struct Reader {
     }
 };
 
-constexpr std::array<std::string_view, 27> kGlyphs{
+constexpr std::array<std::string_view, 31> kGlyphs{
     "M 7 4 L 20 12 L 7 20 Z",                                                                   // Play
     "R 6 4 4 16 R 14 4 4 16",                                                                   // Pause
     "M 5 5 L 15 12 L 5 19 Z R 17 5 2.5 14",                                                     // Step
@@ -63,6 +63,10 @@ constexpr std::array<std::string_view, 27> kGlyphs{
     "M 4 12 L 10 18 L 20 6",                                                                    // Check
     "R 3 6 8 12 R 13 6 8 12 M 5.5 12 L 8.5 12 M 15.5 12 L 18.5 12",                             // Alike
     "R 7 3 10 5 R 4 8 16 8 R 7 14 10 7",                                                        // Print
+    "M 12 21 L 12 13 M 12 13 L 5 6 M 5 10 L 5 6 L 9 6 M 12 13 L 19 6 M 15 3 L 21 9",            // WrongTurn
+    "R 3 7 18 12 O 12 13 3.5 M 3 21 L 21 4",                                                    // Cover
+    "M 9 18 L 15 18 M 10 21 L 14 21 M 9 18 L 9 15 L 6 11 L 7 6 L 12 3 L 17 6 L 18 11 L 15 15 L 15 18", // Lamp
+    "O 12 6 3 M 12 9 L 12 15 M 6 12 L 18 12 M 12 15 L 8 21 M 12 15 L 16 21", // Visitor
 };
 
 // In the order of enum class Kind.

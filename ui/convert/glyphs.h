@@ -42,7 +42,11 @@ enum class Glyph {
     Remove,
     Check,
     Alike,
-    Print
+    Print,
+    WrongTurn,
+    Cover,
+    Lamp,
+    Visitor
 };
 
 /// Commands on a 24 x 24 board, y down: "M x y" move, "L x y" line, "Z" close, "R x y w h" box, "O x y r"

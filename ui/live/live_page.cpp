@@ -121,6 +121,8 @@ void LivePage::connectWalk() {
     connect(&m_walk, &Walk::walkBegan, this, [this] {
         m_speech.reset();
         m_utterances.clear();
+        const auto options = session::NavigatorOptions::with(toUtf8(m_walk.localiser()));
+        m_map->setSureConfidence(options.guidance.sureConfidence);
         m_framesShown = 0;
         show(nullptr);
     });

@@ -98,7 +98,9 @@ void MapPanel::show(const std::shared_ptr<const session::Snapshot>& snapshot) {
     m_snapshot = snapshot;
     MapOverlay overlay;
     overlay.destination = m_destination;
+    overlay.sureConfidence = m_sureConfidence;
     if (snapshot) {
+        overlay.truth = m_truth;
         overlay.fix = snapshot->step.fix;
         overlay.route = snapshot->step.progress.route;
         overlay.regionsPassed = snapshot->step.progress.regionsPassed;
@@ -119,6 +121,10 @@ QString MapPanel::where() const {
     if (!fix.region) return tr("Where you are is not known yet.");
     const building::Region* region = m_building->region(*fix.region);
     const QString name = regionName(m_building.get(), *fix.region);
+    if (m_truth && !m_truth->region.empty() && m_truth->region != *fix.region)
+        return tr("Taken to be in %1: %2. Really in %3.")
+            .arg(name, Words::sureness(fix.confidence, m_sureConfidence),
+                 regionName(m_building.get(), m_truth->region));
     const QString sure = Words::sureness(fix.confidence, m_view->overlay().sureConfidence);
     if (region && m_building->levels().size() > 1)
         return tr("You are in %1, %2: %3.").arg(name, Words::level(*m_building, region->level), sure);
@@ -131,6 +137,11 @@ QString MapPanel::whereText() const {
 
 void MapPanel::setDestination(const std::optional<RegionId>& destination) {
     m_destination = destination;
+    show(m_snapshot);
+}
+
+void MapPanel::setTruth(const std::optional<TruePlace>& truth) {
+    m_truth = truth;
     show(m_snapshot);
 }
 

@@ -24,6 +24,10 @@ public:
     void setBuilding(const std::shared_ptr<const building::Building>& building);
     void show(const std::shared_ptr<const session::Snapshot>& snapshot); ///< null: nothing yet
     void setDestination(const std::optional<RegionId>& destination);
+    /// Of a simulated walk; empty: nobody knows.
+    void setTruth(const std::optional<TruePlace>& truth);
+    /// From which confidence on a place is told as sure.
+    void setSureConfidence(double confidence) { m_sureConfidence = confidence; }
     void setFollow(bool follow);
     bool follow() const;
     MapView& view() { return *m_view; }
@@ -49,6 +53,8 @@ private:
     std::shared_ptr<const building::Building> m_building;
     std::shared_ptr<const session::Snapshot> m_snapshot;
     std::optional<RegionId> m_destination;
+    std::optional<TruePlace> m_truth;
+    double m_sureConfidence = 0.5;
     MapView* m_view;
     QLabel* m_title;
     QLabel* m_levelLabel;

@@ -190,6 +190,7 @@ void Walk::open(bool stepOnly) {
     options.mapName = toUtf8(m_mapName);
     options.libraryName = toUtf8(m_libraryName);
     options.sourceName = toUtf8(m_source.name);
+    options.navigator = session::NavigatorOptions::with(toUtf8(m_localiser));
     options.navigator.guidance.verbosity = m_verbosity;
     m_recording = m_nextFolder ? m_nextFolder().value_or(QString()) : QString();
     if (!m_recording.isEmpty()) options.recordFolder = toUtf8(m_recording);

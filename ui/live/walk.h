@@ -48,6 +48,9 @@ public:
     void setStart(const std::optional<RegionId>& region);
     void setDestination(const std::optional<RegionId>& region);
     void setVerbosity(guidance::Verbosity verbosity);
+    /// How the next walk works out the place: one of localisation::localiserNames().
+    void setLocaliser(const QString& name) { m_localiser = name; }
+    const QString& localiser() const { return m_localiser; }
     /// The answer comes as a cue; without a walk none comes.
     void ask(guidance::Question question);
     /// Where the next walk is recorded; empty: it is not. A running walk keeps what it has.
@@ -103,6 +106,7 @@ private:
     std::optional<RegionId> m_start, m_destination;
     guidance::Verbosity m_verbosity = guidance::Verbosity::Objects;
     double m_speed = 1.0;
+    QString m_localiser = QStringLiteral("bayes-guided"); ///< users know the way from what is said
     std::function<std::optional<QString>()> m_nextFolder;
 
     std::unique_ptr<session::NavigationSession> m_session;

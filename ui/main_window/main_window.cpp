@@ -4,9 +4,11 @@
 #include "ui/convert/convert.h"
 #include "ui/curation/map_actions.h"
 #include "ui/curation/plan_panel.h"
+#include "ui/demo/demo_bar.h"
 #include "ui/live/frame_panel.h"
 #include "ui/live/map_panel.h"
 #include "ui/main_window/keys_dialog.h"
+#include "ui/main_window/localiser_menu.h"
 #include "ui/main_window/settings_dialog.h"
 #include "ui/main_window/source_dialog.h"
 #include "ui/main_window/window_actions.h"
@@ -45,6 +47,7 @@ const QString kExample = QStringLiteral("example");
 const QString kEnded = QStringLiteral("ended");
 const QString kRemark = QStringLiteral("remark");
 const QString kRecording = QStringLiteral("recording");
+const QString kDemo = QStringLiteral("demo");
 
 } // namespace
 
@@ -52,11 +55,15 @@ MainWindow::MainWindow(Settings& settings, Walk::OpenSource open, SpeechDesk::Ma
                        QWidget* parent)
     : QMainWindow(parent),
       m_settings(settings),
-      m_walk(std::move(open)),
+      m_simulated(std::make_shared<SimulatedWalks>()),
+      m_walk(Demo::opener(m_simulated, std::move(open))),
       m_speech(settings, std::move(makeOutput)),
       m_actions(new WindowActions(*this)),
       m_page(new LivePage(m_walk, m_speech, settings, this)),
       m_mapPage(new MapPage(settings, this)),
+      m_demo(new Demo(m_walk, m_simulated, this)),
+      m_demoBar(new DemoBar(*this, *m_demo)),
+      m_localisers(new LocaliserMenu(m_walk, settings, this)),
       m_pages(new QStackedWidget(this)),
       m_pageTabs(new QTabBar(this)),
       m_status(new QLabel(this)),
@@ -81,6 +88,7 @@ MainWindow::MainWindow(Settings& settings, Walk::OpenSource open, SpeechDesk::Ma
     connectView();
     connectNews();
     connectPages();
+    connectDemo();
     m_walk.setVerbosity(settings.verbosity());
     m_walk.setRecordFolder([this] { return nextRecording(); });
     const int speed = m_actions->speed->findData(settings.speed());
@@ -107,8 +115,10 @@ void MainWindow::connectFile() {
     connect(a.openSource, &QAction::triggered, this, &MainWindow::chooseSource);
     connect(a.quit, &QAction::triggered, this, &QWidget::close);
     connect(a.settings, &QAction::triggered, this, [this] { SettingsDialog(m_settings, this).exec(); });
-    connect(a.keys, &QAction::triggered, this,
-            [this] { KeysDialog(m_actions->withKeys() + m_mapPage->actions().withKeys(), this).exec(); });
+    connect(a.keys, &QAction::triggered, this, [this] {
+        KeysDialog(m_actions->withKeys() + m_demoBar->withKeys() + m_mapPage->actions().withKeys(), this)
+            .exec();
+    });
     connect(a.about, &QAction::triggered, this, [this] {
         QMessageBox::about(
             this, tr("About Farol"),
@@ -195,6 +205,26 @@ void MainWindow::connectPages() {
     showMap(false);
 }
 
+void MainWindow::connectDemo() {
+    m_actions->addPageMenu(m_demoBar->menu());
+    m_actions->addToWalkMenu(*m_localisers);
+    const auto tell = [this] {
+        const QString news = m_demoBar->news();
+        if (news.isEmpty()) return m_page->banners().hide(kDemo);
+        const bool over = m_demo->over();
+        m_page->banners().show(kDemo, {BannerKind::Note, news, over ? tr("&Next visitor now") : QString(),
+                                       [this] { m_demo->nextVisitor(); }, true});
+    };
+    connect(m_demo, &Demo::changed, this, tell);
+    connect(&m_walk, &Walk::snapshotChanged, this, [this] {
+        std::optional<TruePlace> place;
+        if (const auto truth = m_demo->truth())
+            place = TruePlace{truth->pose.position, truth->pose.level, truth->pose.heading, truth->region};
+        m_page->mapPanel().setTruth(place);
+    });
+    connect(&m_settings, &Settings::languageChanged, this, tell);
+}
+
 bool MainWindow::showsMap() const {
     return m_pages->currentWidget() == m_mapPage;
 }
@@ -208,6 +238,7 @@ void MainWindow::showMap(bool shown) {
     m_pages->setCurrentIndex(shown ? 1 : 0);
     m_pageTabs->setCurrentIndex(shown ? 1 : 0);
     m_actions->showWalk(!shown);
+    m_demoBar->setPageShown(!shown);
     m_mapPage->actions().menu().menuAction()->setVisible(shown);
     if (shown && changed) {
         m_mapPage->firstFocus()->setFocus(Qt::OtherFocusReason);
@@ -246,7 +277,7 @@ void MainWindow::connectNews() {
         retranslate();
     });
     connect(&m_walk, &Walk::sourceChanged, this, [this] {
-        m_settings.addRecent(RecentKind::Source, m_walk.source().name);
+        if (!m_demo->on()) m_settings.addRecent(RecentKind::Source, m_walk.source().name);
         retranslate();
     });
 }
@@ -254,6 +285,7 @@ void MainWindow::connectNews() {
 void MainWindow::begin(const StartOptions& options) {
     if (!options.banner.isEmpty())
         m_page->banners().show(kExample, {BannerKind::Note, options.banner, {}, {}, true});
+    if (!options.localiser.isEmpty()) m_localisers->choose(options.localiser);
     m_from = options.from;
     m_to = options.to;
     if (!options.source.isEmpty()) m_walk.setSource({options.source, options.framesPerSecond});
@@ -309,7 +341,7 @@ void MainWindow::showState(session::RunState state) {
         text +=
             QStringLiteral(" · ") + tr("recorded in %1").arg(QDir::toNativeSeparators(m_walk.recording()));
     m_status->setText(text);
-    if (state == session::RunState::Ended)
+    if (state == session::RunState::Ended && !m_demo->on())
         m_page->banners().show(kEnded,
                                {BannerKind::Note, tr("The walk has ended: there are no more pictures."),
                                 tr("Play &again"), [this] { m_walk.play(); }, true});
@@ -446,6 +478,8 @@ void MainWindow::retranslate() {
 void MainWindow::changeEvent(QEvent* event) {
     if (event->type() == QEvent::LanguageChange) {
         m_actions->retranslate();
+        m_demoBar->retranslate();
+        m_localisers->retranslate();
         retranslate();
         showState(m_walk.state());
     }

@@ -2,6 +2,7 @@
 // The workstation's window: pages, menus, keys.
 
 #include "ui/curation/map_page.h"
+#include "ui/demo/demo.h"
 #include "ui/live/live_page.h"
 #include "ui/live/speech_desk.h"
 #include "ui/live/walk.h"
@@ -17,6 +18,8 @@ class QTabBar;
 
 namespace farol::ui {
 
+class DemoBar;
+class LocaliserMenu;
 class MapView;
 class WindowActions;
 
@@ -36,6 +39,7 @@ public:
     Walk& walk() { return m_walk; }
     LivePage& page() { return *m_page; }
     MapPage& mapPage() { return *m_mapPage; }
+    Demo& demo() { return *m_demo; }
     bool showsMap() const; ///< the Map page rather than the Walk page
     void showMap(bool shown);
     WindowActions& actions() { return *m_actions; }
@@ -51,6 +55,7 @@ private:
     void connectView();
     void connectNews();
     void connectPages();
+    void connectDemo();
     MapView& shownMap();
     void showState(session::RunState state);
     void showProblem(Problem kind, const QString& message);
@@ -67,11 +72,15 @@ private:
     QString title() const;
 
     Settings& m_settings;
+    std::shared_ptr<SimulatedWalks> m_simulated;
     Walk m_walk;
     SpeechDesk m_speech;
     WindowActions* m_actions;
     LivePage* m_page;
     MapPage* m_mapPage;
+    Demo* m_demo; ///< after the page, which must know a map before places in it are chosen
+    DemoBar* m_demoBar;
+    LocaliserMenu* m_localisers;
     QStackedWidget* m_pages;
     QTabBar* m_pageTabs;
     QLabel* m_status;

@@ -11,7 +11,8 @@ struct StartOptions {
     QString from, to; ///< WHERE of the command line
     QString banner;   ///< which example is running
     bool play = false;
-    QString edit; ///< what the Map page opens, a map of any kind; empty: the Walk page is shown
+    QString localiser; ///< empty: as the settings say
+    QString edit;      ///< what the Map page opens, a map of any kind; empty: the Walk page is shown
 };
 
 } // namespace farol::ui

@@ -162,6 +162,10 @@ void WindowActions::addPageMenu(QMenu& menu) {
     m_window.menuBar()->insertMenu(m_view->menuAction(), &menu);
 }
 
+void WindowActions::addToWalkMenu(QMenu& menu) {
+    m_walk->addMenu(&menu);
+}
+
 void WindowActions::showWalk(bool shown) {
     m_bar->setVisible(shown);
     // Their keys belong to the page that is shown.

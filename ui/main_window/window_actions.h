@@ -37,6 +37,7 @@ public:
     void setPlaying(bool playing); ///< the first command is Pause while a walk runs
     /// Puts a page's own menu behind those of the walk.
     void addPageMenu(QMenu& menu);
+    void addToWalkMenu(QMenu& menu);
     /// The tool bar, and what makes no sense while another page is shown, follow the page.
     void showWalk(bool shown);
     /// All with a key of their own, for the list of keys.

@@ -14,12 +14,21 @@ namespace farol::ui {
 /// What a region is marked as, apart from votes. Drawn as hatching, so that colour never stands alone.
 enum class RegionMark : std::uint8_t { None, NoLandmark, LooksAlike, LandmarkHelps, CutOff };
 
+/// Where somebody is known to be beyond doubt: of a simulation.
+struct TruePlace {
+    Point2 position;
+    double level = 0.0; ///< between two ordinals on stairs and in lifts
+    Radians heading;
+    RegionId region;
+};
+
 struct MapOverlay {
     std::optional<localisation::Fix> fix;
     std::shared_ptr<const routing::Route> route;
     std::size_t regionsPassed = 0; ///< of the route
     std::optional<RegionId> destination;
     std::optional<RegionId> start;
+    std::optional<TruePlace> truth;
     std::shared_ptr<const std::vector<RegionMark>> marks; ///< by index of the region; null: none
     double sureConfidence = 0.5;                          ///< from here on a place counts as sure
 

@@ -41,6 +41,7 @@ private:
                       Qt::PenStyle style) const;
     void paintArrows(QPainter& painter, const QPolygonF& line) const;
     void paintPlaceMark(QPainter& painter, const MapOverlay& overlay) const;
+    void paintTruth(QPainter& painter, const TruePlace& truth) const;
     void paintPin(QPainter& painter, const RegionId& region, const QColor& colour) const;
     void paintText(QPainter& painter, QPointF centre, const QString& text, bool upright) const;
     bool paintName(QPainter& painter, const RegionShape& shape, const QString& name,

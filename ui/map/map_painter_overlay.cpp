@@ -174,6 +174,16 @@ void MapPainter::paintPlaceMark(QPainter& painter, const MapOverlay& overlay) co
     painter.setBrush(Qt::NoBrush);
 }
 
+/// A figure in a ring, unlike the dot of where Farol takes somebody to be.
+void MapPainter::paintTruth(QPainter& painter, const TruePlace& truth) const {
+    if (std::abs(truth.level - m_level->ordinal) > 0.5) return;
+    const QPointF at = screen(truth.position);
+    painter.setPen(QPen(m_colours.text, 2.0));
+    painter.setBrush(m_colours.floor);
+    painter.drawEllipse(at, 11.0, 11.0);
+    paintGlyph(painter, pathOf(Glyph::Visitor), at, 17.0, m_colours.text);
+}
+
 void MapPainter::paintMarks(QPainter& painter, const MapOverlay& overlay) const {
     if (!m_level) return;
     painter.setRenderHint(QPainter::Antialiasing);
@@ -187,6 +197,7 @@ void MapPainter::paintMarks(QPainter& painter, const MapOverlay& overlay) const 
         }
         paintPlaceMark(painter, overlay);
     }
+    if (overlay.truth) paintTruth(painter, *overlay.truth);
 }
 
 void MapPainter::paintSelection(QPainter& painter, const MapHit& hit, bool strong) const {

@@ -14,6 +14,7 @@ constexpr int kRecentItems = 8;
 
 const QString kLanguage = QStringLiteral("words/language");
 const QString kDirections = QStringLiteral("words/direction-style");
+const QString kLocaliser = QStringLiteral("place/localiser");
 const QString kVerbosity = QStringLiteral("words/verbosity");
 const QString kUnit = QStringLiteral("words/distance-unit");
 const QString kTwoKeys = QStringLiteral("kiosk/two-keys");
@@ -136,6 +137,20 @@ void Settings::setTwoKeys(bool twoKeys) {
 
 guidance::Verbosity Settings::verbosity() const {
     return choiceIn(*m_store, kVerbosity, kVerbosityNames, guidance::Verbosity::Objects);
+}
+
+QStringList Settings::localisers() {
+    return {QStringLiteral("bayes-guided"), QStringLiteral("bayes"), QStringLiteral("voting"),
+            QStringLiteral("voting-literal")};
+}
+
+QString Settings::localiser() const {
+    const QString stored = m_store->value(kLocaliser).toString();
+    return localisers().contains(stored) ? stored : localisers().constFirst();
+}
+
+void Settings::setLocaliser(const QString& name) {
+    if (localisers().contains(name)) store(kLocaliser, name);
 }
 
 void Settings::setVerbosity(guidance::Verbosity verbosity) {

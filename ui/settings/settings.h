@@ -39,6 +39,11 @@ public:
     guidance::Verbosity verbosity() const;
     void setVerbosity(guidance::Verbosity verbosity);
 
+    /// How places are worked out; the first is the default.
+    static QStringList localisers();
+    QString localiser() const;
+    void setLocaliser(const QString& name);
+
     /// The kiosk is used with two keys: one goes through the choices, the other takes one.
     bool twoKeys() const;
     void setTwoKeys(bool twoKeys);

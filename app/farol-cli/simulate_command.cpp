@@ -1,6 +1,7 @@
 #include "app/farol-cli/commands.h"
 #include "app/farol-cli/evaluate/guidance.h"
 #include "app/farol-cli/interrupt.h"
+#include "app/farol-cli/loop_words.h"
 #include "app/farol-cli/output.h"
 #include "app/farol-cli/simulated_frames.h"
 #include "app/farol-cli/walk_inputs.h"
@@ -17,9 +18,10 @@ namespace farol::cli {
 namespace {
 
 struct SimulateOptions {
-    std::string map, library, from, to, out, localiser = "bayes-guided";
+    std::string map, library, from, to, out, localiser = "bayes-guided", truePlace;
     std::uint64_t seed = 1;
-    bool obey = false, noVision = false, json = false, unknownStart = false, photographs = false;
+    bool obey = false, noVision = false, json = false, unknownStart = false, photographs = false,
+         sentences = false, transcript = false;
     double wilfulness = 0.0, framesPerSecond = 5.0, clutter = 0.3;
     int walks = 0;
 };
@@ -45,6 +47,8 @@ session::Json jsonOf(const session::ClosedLoopResult& result) {
 session::ClosedLoopOptions loopOptions(const SimulateOptions& options) {
     session::ClosedLoopOptions loop;
     loop.navigator = session::NavigatorOptions::with(options.localiser);
+    if (!options.truePlace.empty())
+        loop.truePlace = options.truePlace == "spot" ? session::TruePlace::Spot : session::TruePlace::Region;
     loop.knownStart = !options.unknownStart;
     loop.walker.seed = options.seed;
     loop.walker.wilfulness = options.wilfulness;
@@ -112,6 +116,10 @@ int obey(const SimulateOptions& options, const std::shared_ptr<const simulation:
     if (!eye) return report(eye.error());
     auto loop = session::ClosedLoop::create(world, from, to, loopOptions(options), std::move(eye).value());
     if (!loop) return report(loop.error());
+    if (options.sentences) (*loop)->setEar(sentenceEar());
+    LoopTranscript transcript(world->building());
+    if (options.transcript)
+        (*loop)->onMoment([&](const session::ClosedLoopMoment& moment) { transcript.moment(moment); });
     auto result = (*loop)->run();
     if (!result) return report(result.error());
     if (options.json) {
@@ -186,6 +194,7 @@ int walkMany(const SimulateOptions& options, const std::shared_ptr<const simulat
     pairs.walks = options.walks;
     pairs.seed = options.seed;
     pairs.loop = loopOptions(options);
+    if (options.sentences) pairs.ear = sentenceEar();
     if (studio) pairs.eye = [&](std::uint64_t seed) { return studio->eye(seed); };
     auto figures = walkPairs(world, pairs);
     if (!figures) return report(figures.error());
@@ -256,6 +265,10 @@ void addSimulateCommand(CLI::App& app, int& exitCode) {
         ->capture_default_str();
     command->add_flag("--obey", options->obey,
                       "The walker hears the cues, and nothing else: the closed loop");
+    command->add_flag("--sentences", options->sentences,
+                      "The walker hears nothing but the English sentences, without what they were made of");
+    command->add_flag("--transcript", options->transcript,
+                      "Print where the walker of one walk really is, and what is said");
     command->add_flag("--no-vision", options->noVision,
                       "Detections drawn from the truth instead of pictures");
     command->add_option("--out", options->out, "New folder for the frames and their truth");
@@ -263,6 +276,10 @@ void addSimulateCommand(CLI::App& app, int& exitCode) {
     command->add_option("--wilful", options->wilfulness, "Chance, at each door, to take it unasked")
         ->check(CLI::Range(0.0, 1.0));
     command->add_option("--localiser", options->localiser, "One of farol-cli run's")->capture_default_str();
+    command
+        ->add_option("--true-place", options->truePlace,
+                     "Tell the navigator the true place instead: region, or spot (with position and heading)")
+        ->check(CLI::IsMember({"region", "spot"}));
     command->add_option("--fps", options->framesPerSecond, "Frames a second")
         ->capture_default_str()
         ->check(CLI::Range(0.2, 100.0));

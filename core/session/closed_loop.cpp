@@ -46,6 +46,42 @@ std::string walkEndName(WalkEnd end) {
     return "unknown";
 }
 
+namespace {
+
+/// Knows what it is told.
+class TruthTeller : public localisation::Localiser {
+public:
+    void tell(const localisation::Fix& fix) { m_fix = fix; }
+
+    void start(double, const std::optional<RegionId>&) override {}
+    void setRoute(const localisation::RouteContext&) override {}
+    localisation::Fix update(double time, std::span<const localisation::Observation>,
+                             const std::deque<localisation::Observation>&) override {
+        m_fix.time = m_fix.evidenceTime = time;
+        return m_fix;
+    }
+    std::string name() const override { return "truth"; }
+
+private:
+    localisation::Fix m_fix;
+};
+
+localisation::Fix trueFix(const simulation::Walker& walker, const building::Building& building, bool spot) {
+    localisation::Fix fix;
+    fix.region = walker.region();
+    fix.confidence = fix.nearConfidence = 1.0;
+    fix.near = {walker.region()};
+    fix.level = building.region(walker.region())->level;
+    if (!spot) return fix;
+    fix.position = walker.position();
+    fix.sigmaM = 0.3;
+    fix.heading = walker.pose().heading;
+    fix.headingSigma = fromDegrees(20.0);
+    return fix;
+}
+
+} // namespace
+
 struct ClosedLoop::Impl {
     std::shared_ptr<const WalkWorld> world;
     ClosedLoopOptions options;
@@ -54,6 +90,7 @@ struct ClosedLoop::Impl {
     std::function<void(const ClosedLoopMoment&)> handler;
     std::unique_ptr<simulation::Walker> walker;
     std::unique_ptr<Navigator> navigator;
+    TruthTeller* truth = nullptr; ///< the navigator's localiser, if it is told the truth
     RegionId destination;
     ClosedLoopResult result;
     double mostSeconds = 0.0;
@@ -108,6 +145,8 @@ Result<void> ClosedLoop::Impl::frame(std::uint64_t index) {
     simulation::CameraPose pose = walker->pose();
     auto percept = eye(pose, *world->building().regionIndex(walker->region()), index);
     if (!percept) return percept.error();
+    if (truth != nullptr)
+        truth->tell(trueFix(*walker, world->building(), options.truePlace == TruePlace::Spot));
     NavigationStep step = navigator->advance(std::move(percept).value());
     for (const Cue& cue : step.cues) hear(cue);
     remember(step);
@@ -148,7 +187,10 @@ Result<std::unique_ptr<ClosedLoop>> ClosedLoop::create(std::shared_ptr<const Wal
     std::shared_ptr<const building::Building> building(world, &world->building());
     auto walker = simulation::Walker::create(world, from, options.walker);
     if (!walker) return walker.error();
-    auto navigator = Navigator::create(building, options.navigator);
+    auto teller = options.truePlace != TruePlace::No ? std::make_unique<TruthTeller>() : nullptr;
+    TruthTeller* truth = teller.get();
+    auto navigator = truth != nullptr ? Navigator::create(building, options.navigator, std::move(teller))
+                                      : Navigator::create(building, options.navigator);
     if (!navigator) return navigator.error();
     auto planner = routing::makeOptimalPlanner(building, options.navigator.routing);
     auto route = planner->plan({(*walker)->region(), (*walker)->position()}, to);
@@ -163,6 +205,7 @@ Result<std::unique_ptr<ClosedLoop>> ClosedLoop::create(std::shared_ptr<const Wal
     impl->mostSeconds = options.patience * route->seconds + options.patienceSeconds;
     impl->walker = std::move(walker).value();
     impl->navigator = std::move(navigator).value();
+    impl->truth = truth;
     impl->navigator->start(0.0, options.knownStart ? std::optional(from.region) : std::nullopt);
     impl->navigator->setDestination(to);
     return std::unique_ptr<ClosedLoop>(new ClosedLoop(std::move(impl)));

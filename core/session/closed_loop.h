@@ -15,9 +15,14 @@
 
 namespace farol::session {
 
+/// What the navigator is told of the place instead of working it out: failures that remain are not the
+/// localiser's.
+enum class TruePlace { No, Region, Spot };
+
 struct ClosedLoopOptions {
     NavigatorOptions navigator = NavigatorOptions::with("bayes-guided");
     simulation::WalkerOptions walker;
+    TruePlace truePlace = TruePlace::No;
     bool knownStart = true; ///< the region, never the spot or the way one faces
     double framesPerSecond = 5.0;
     double hearingSeconds = 1.0; ///< from a cue to what is done on it: it takes time to say

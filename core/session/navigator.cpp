@@ -61,13 +61,20 @@ NavigatorOptions NavigatorOptions::with(const std::string& localiser) {
 Result<std::unique_ptr<Navigator>> Navigator::create(std::shared_ptr<const building::Building> building,
                                                      const NavigatorOptions& options) {
     if (!building) return Error{ErrorCode::InvalidArgument, "there is no map; open one first", "map"};
-    if (auto checked = options.check(); !checked) return checked.error();
     auto localiser = localisation::makeLocaliser(options.localiser, building);
     if (!localiser) return localiser.error();
+    return create(std::move(building), options, std::move(localiser).value());
+}
+
+Result<std::unique_ptr<Navigator>> Navigator::create(std::shared_ptr<const building::Building> building,
+                                                     const NavigatorOptions& options,
+                                                     std::unique_ptr<localisation::Localiser> localiser) {
+    if (!building) return Error{ErrorCode::InvalidArgument, "there is no map; open one first", "map"};
+    if (auto checked = options.check(); !checked) return checked.error();
     auto planner = makePlanner(building, options);
     if (!planner) return planner.error();
-    return std::unique_ptr<Navigator>(new Navigator(std::move(building), std::move(localiser).value(),
-                                                    std::move(planner).value(), options));
+    return std::unique_ptr<Navigator>(
+        new Navigator(std::move(building), std::move(localiser), std::move(planner).value(), options));
 }
 
 Navigator::Navigator(std::shared_ptr<const building::Building> building,

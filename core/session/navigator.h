@@ -32,6 +32,10 @@ class Navigator {
 public:
     static Result<std::unique_ptr<Navigator>> create(std::shared_ptr<const building::Building> building,
                                                      const NavigatorOptions& options = {});
+    /// With a localiser of the caller's, whatever the options name.
+    static Result<std::unique_ptr<Navigator>> create(std::shared_ptr<const building::Building> building,
+                                                     const NavigatorOptions& options,
+                                                     std::unique_ptr<localisation::Localiser> localiser);
 
     /// Forgets history and fix. Empty: an unknown start.
     void start(double time, const std::optional<RegionId>& region);

@@ -15,6 +15,9 @@ using routing::ManoeuvreKind;
 
 namespace {
 
+/// From so much on a turn behind a door is told.
+constexpr double kTurnTold = 30.0 * kPi / 180.0;
+
 /// A turn as people hear it: in the middle of its word's range.
 Radians heard(Radians turn) {
     switch (guidance::turnWord(turn)) {
@@ -66,9 +69,12 @@ WalkTask taskOf(const std::optional<Manoeuvre>& manoeuvre) {
     if (!manoeuvre) return task;
     task.feature = featureOf(manoeuvre->kind);
     task.vertical = manoeuvre->vertical;
-    bool turns =
-        task.feature == Feature::Door || task.feature == Feature::Opening || task.feature == Feature::Turn;
+    bool gap = task.feature == Feature::Door || task.feature == Feature::Opening;
+    bool turns = (gap && !manoeuvre->behind) || task.feature == Feature::Turn;
     if (turns && std::isfinite(manoeuvre->turn.value)) task.turn = heard(manoeuvre->turn);
+    // Where the map tells how a door stands, the turn behind it is said apart, if it is one.
+    if (gap && manoeuvre->behind && std::abs(manoeuvre->behind->value) >= kTurnTold)
+        task.behind = heard(*manoeuvre->behind);
     task.side = manoeuvre->side;
     task.number = manoeuvre->number;
     return task;
@@ -97,7 +103,9 @@ void takeTasks(const Cue& cue, WalkInstruction& instruction) {
 } // namespace
 
 bool sameTask(const WalkTask& a, const WalkTask& b) {
-    return a.feature == b.feature && a.vertical == b.vertical && a.into == b.into && a.level == b.level;
+    auto same = [](const std::string& x, const std::string& y) { return x.empty() || y.empty() || x == y; };
+    return a.feature == b.feature && a.vertical == b.vertical && same(a.into, b.into) &&
+           same(a.level, b.level);
 }
 
 WalkInstruction instructionOf(const Cue& cue) {

@@ -17,6 +17,7 @@ struct WalkTask {
     routing::Vertical vertical = routing::Vertical::None;
     std::optional<Radians>
         turn{}; ///< as a turn word has it: 45, 90, 135 or 180 degrees, left positive; 0: straight on
+    std::optional<Radians> behind{}; ///< the turn to make behind it, where that is told apart
     routing::Side side = routing::Side::None;
     int number = 0;      ///< the how-manyeth on that side; 0: not told
     std::string level{}; ///< of a lift: what to choose
@@ -36,7 +37,7 @@ struct WalkInstruction {
     WalkTask task, then;
 };
 
-/// Is it the same thing to do?
+/// Is it the same thing to do, as far as was said?
 bool sameTask(const WalkTask& a, const WalkTask& b);
 
 WalkInstruction instructionOf(const guidance::Cue& cue);

@@ -24,7 +24,7 @@ constexpr double kLostWallM = 3.2;
 /// An order to act now is still that one so much later.
 constexpr double kNowS = 7.0;
 /// The same order within this time after it was done is late, not new.
-constexpr double kLateOrderS = 25.0;
+constexpr double kLateOrderS = 25.0, kLateUnnamedS = 4.0;
 /// Told nothing more, one walks on so far and stands; the long silence after which one tries a little
 /// further.
 constexpr double kWalkOnM = 6.0, kPatienceS = 12.0;
@@ -84,7 +84,10 @@ void WalkMind::hear(const WalkInstruction& instruction) {
 void WalkMind::go(const WalkInstruction& instruction) {
     m_halted = false;
     if (m_sweep != SweepStep::None) m_sweep = SweepStep::None;
-    bool late = m_sinceDone < kLateOrderS && sameTask(instruction.task, m_lastDone) && !instruction.astray;
+    // An order without the name of a place may be the next one of its kind.
+    bool named = !instruction.task.into.empty() && !m_lastDone.into.empty();
+    bool late = m_sinceDone < (named ? kLateOrderS : kLateUnnamedS) &&
+                sameTask(instruction.task, m_lastDone) && !instruction.astray;
     if (late) return;
     if (!sameTask(instruction.task, m_task)) {
         m_searchedM = 0.0;
@@ -333,7 +336,7 @@ Wish WalkMind::takeIt(const Felt& felt) {
     // A door in the wall that is walked along is itself the turn; behind one that lies ahead the turn
     // follows.
     bool turned = m_task.side != Side::None || (m_legKnown && beside && std::abs(turn) > kRealTurn);
-    m_afterwards = turned ? Radians{} : Radians{turn};
+    m_afterwards = m_task.behind ? *m_task.behind : turned ? Radians{} : Radians{turn};
     Wish wish;
     wish.take = felt;
     wish.level = m_task.level;

@@ -135,6 +135,9 @@ class Teller {
 public:
     explicit Teller(const GoldenBuilding& golden);
     QString tell();
+    void setListener(std::function<void(const Cue&, const QString&)> listener) {
+        m_listener = std::move(listener);
+    }
 
 private:
     void head();
@@ -159,6 +162,7 @@ private:
     double m_time = 0.0;
     std::uint64_t m_frame = 0;
     QStringList m_lines;
+    std::function<void(const Cue&, const QString&)> m_listener;
 };
 
 routing::Route planned(const routing::Planner& planner, const GoldenBuilding& golden) {
@@ -204,6 +208,7 @@ void Teller::ask(guidance::Question question) {
 void Teller::add(const QString& what, const Cue& cue) {
     auto said = [&](DirectionStyle style) { return Phrasebook(style).sentence(cue); };
     const QString plain = said(DirectionStyle::LeftRight);
+    if (m_listener) m_listener(cue, plain);
     m_lines << QStringLiteral("%1 s %2 m  %3 %4")
                    .arg(m_time, 5, 'f', 1)
                    .arg(m_walker.gone(), 5, 'f', 1)
@@ -300,6 +305,13 @@ QString Teller::tell() {
 
 QString tellWalk(const GoldenBuilding& golden) {
     return Teller(golden).tell();
+}
+
+void listenToWalk(const GoldenBuilding& golden,
+                  const std::function<void(const Cue& cue, const QString& words)>& listener) {
+    Teller teller(golden);
+    teller.setListener(listener);
+    teller.tell();
 }
 
 } // namespace farol::test

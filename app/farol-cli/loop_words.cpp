@@ -1,0 +1,57 @@
+#include "app/farol-cli/loop_words.h"
+
+#include "app/farol-cli/output.h"
+#include "core/simulation/spoken_instruction.h"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace farol::cli {
+
+namespace {
+
+constexpr double kPoseEveryS = 5.0;
+
+} // namespace
+
+session::ClosedLoop::Ear sentenceEar() {
+    return
+        [words = ui::Phrasebook()](const guidance::Cue& cue) -> std::optional<simulation::WalkInstruction> {
+            return simulation::instructionFrom(words.sentence(cue).toStdString());
+        };
+}
+
+LoopTranscript::LoopTranscript(const building::Building& building) {
+    bool first = true;
+    for (const building::Region& region : building.regions()) {
+        for (Point2 p : region.polygon.outer) {
+            m_corner = first ? p : Point2{std::min(m_corner.x, p.x), std::min(m_corner.y, p.y)};
+            first = false;
+        }
+    }
+}
+
+void LoopTranscript::moment(const session::ClosedLoopMoment& moment) {
+    const localisation::Fix& fix = moment.step.fix;
+    double time = moment.pose.time;
+    bool moved = moment.region != m_region || fix.region != m_taken;
+    if (moved || time - m_told >= kPoseEveryS) {
+        char line[200];
+        std::snprintf(line, sizeof line, "%8.1f s  in %s at %.1f,%.1f facing %.0f; taken for %s (%.2f)", time,
+                      moment.region.value.c_str(), moment.pose.position.x - m_corner.x,
+                      moment.pose.position.y - m_corner.y, toDegrees(moment.pose.heading),
+                      fix.region ? fix.region->value.c_str() : "nowhere", fix.confidence);
+        printLine(line);
+        m_region = moment.region;
+        m_taken = fix.region;
+        m_told = time;
+    }
+    for (const guidance::Cue& cue : moment.step.cues) {
+        std::string text = m_phrasebook.sentence(cue).toStdString();
+        char when[24];
+        std::snprintf(when, sizeof when, "%8.1f s", time);
+        if (!text.empty()) printLine(std::string(when) + "    \"" + text + "\"");
+    }
+}
+
+} // namespace farol::cli

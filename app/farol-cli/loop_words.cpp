@@ -4,6 +4,7 @@
 #include "core/simulation/spoken_instruction.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 namespace farol::cli {
@@ -42,6 +43,18 @@ void LoopTranscript::moment(const session::ClosedLoopMoment& moment) {
                       moment.pose.position.y - m_corner.y, toDegrees(moment.pose.heading),
                       fix.region ? fix.region->value.c_str() : "nowhere", fix.confidence);
         printLine(line);
+        const guidance::Progress& progress = moment.step.progress;
+        if (progress.next) {
+            std::snprintf(
+                line, sizeof line, "%10s  %s: next %s into %s%s", "",
+                guidance::travelName(progress.travel).c_str(),
+                routing::manoeuvreKindName(progress.next->kind).c_str(), progress.next->into.value.c_str(),
+                progress.distanceM
+                    ? (" in " + std::to_string(static_cast<int>(std::lround(*progress.distanceM))) + " m")
+                          .c_str()
+                    : "");
+            printLine(line);
+        }
         m_region = moment.region;
         m_taken = fix.region;
         m_told = time;

@@ -2,6 +2,16 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
+    <name>farol::ui::ConfusionModel</name>
+    <message numerus="yes">
+        <source>%1 taken for %2: %n time(s)</source>
+        <translation>
+            <numerusform>%1 taken for %2: %n time</numerusform>
+            <numerusform>%1 taken for %2: %n times</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>farol::ui::FeaturePanel</name>
     <message numerus="yes">
         <source>%n row(s)</source>
@@ -93,6 +103,30 @@
         <translation>
             <numerusform>%n place fits: %1.</numerusform>
             <numerusform>%n places fit: %1.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::LibraryPanel</name>
+    <message numerus="yes">
+        <source>%n landmark(s) need care.</source>
+        <translation>
+            <numerusform>%n landmark needs care.</numerusform>
+            <numerusform>%n landmarks need care.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pair(s) are taken for each other.</source>
+        <translation>
+            <numerusform>%n pair is taken for each other.</numerusform>
+            <numerusform>%n pairs are taken for each other.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n landmark(s)</source>
+        <translation>
+            <numerusform>%n landmark</numerusform>
+            <numerusform>%n landmarks</numerusform>
         </translation>
     </message>
 </context>
@@ -257,6 +291,40 @@
         <translation>
             <numerusform>%n door or passage</numerusform>
             <numerusform>%n doors and passages</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::TeachViews</name>
+    <message numerus="yes">
+        <source>This picture is good: %n point(s).</source>
+        <translation>
+            <numerusform>This picture is good: %n point.</numerusform>
+            <numerusform>This picture is good: %n points.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>With the %n view(s) it had before.</source>
+        <translation>
+            <numerusform>With the %n view it had before.</numerusform>
+            <numerusform>With the %n views it had before.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::TrainingPage</name>
+    <message numerus="yes">
+        <source>“%1” is unfinished, with %n view(s).</source>
+        <translation>
+            <numerusform>“%1” is unfinished, with %n view.</numerusform>
+            <numerusform>“%1” is unfinished, with %n views.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Name of the landmark that the %n chosen view(s) become:</source>
+        <translation>
+            <numerusform>Name of the landmark that the chosen view becomes:</numerusform>
+            <numerusform>Name of the landmark that the %n chosen views become:</numerusform>
         </translation>
     </message>
 </context>

@@ -158,6 +158,32 @@
     </message>
 </context>
 <context>
+    <name>farol::ui::ConfusionModel</name>
+    <message>
+        <source>%1/%2</source>
+        <translation>%1/%2</translation>
+    </message>
+    <message>
+        <source>–</source>
+        <translation>–</translation>
+    </message>
+    <message>
+        <source>%1: found in %2 of %3 views</source>
+        <translation>%1: encontrado em %2 de %3 vistas</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 taken for %2: %n time(s)</source>
+        <translation>
+            <numerusform>%1 tomado por %2: %n vez</numerusform>
+            <numerusform>%1 tomado por %2: %n vezes</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1  %2</source>
+        <translation>%1  %2</translation>
+    </message>
+</context>
+<context>
     <name>farol::ui::DemoBar</name>
     <message>
         <source>Visitor %1 arrived at %2 after %3. The next one comes in a moment.</source>
@@ -253,6 +279,57 @@
     <message>
         <source>Where</source>
         <translation>Onde</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::EditTemplateDialog</name>
+    <message>
+        <source>Change “%1”</source>
+        <translation>Alterar “%1”</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>desconhecido</translation>
+    </message>
+    <message>
+        <source>%1:</source>
+        <translation>%1:</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nome</translation>
+    </message>
+    <message>
+        <source>What people call it</source>
+        <translation>Como as pessoas lhe chamam</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Tipo</translation>
+    </message>
+    <message>
+        <source>What it is</source>
+        <translation>O que é</translation>
+    </message>
+    <message>
+        <source>Real width</source>
+        <translation>Largura real</translation>
+    </message>
+    <message>
+        <source>Lets Farol tell how far away it is</source>
+        <translation>Deixa o Farol saber a que distância está</translation>
+    </message>
+    <message>
+        <source>Real height</source>
+        <translation>Altura real</translation>
+    </message>
+    <message>
+        <source>In maps called</source>
+        <translation>Nome nos mapas</translation>
+    </message>
+    <message>
+        <source>Landmarks of the map refer to it by this word: when it changes, change them too</source>
+        <translation>Os pontos de referência do mapa usam esta palavra: se a mudar, mude-os também</translation>
     </message>
 </context>
 <context>
@@ -1503,6 +1580,196 @@ Abra uma câmara, um vídeo ou uma pasta de imagens e depois prima Reproduzir.</
     </message>
 </context>
 <context>
+    <name>farol::ui::LibraryDocument</name>
+    <message>
+        <source>The library was changed meanwhile; try again.</source>
+        <translation>Entretanto a biblioteca mudou; tente outra vez.</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::LibraryModel</name>
+    <message>
+        <source>not known</source>
+        <translation>desconhecido</translation>
+    </message>
+    <message>
+        <source>?</source>
+        <translation>?</translation>
+    </message>
+    <message>
+        <source>%1 × %2 m</source>
+        <translation>%1 × %2 m</translation>
+    </message>
+    <message>
+        <source>not checked</source>
+        <translation>por verificar</translation>
+    </message>
+    <message>
+        <source>In maps called “%1”</source>
+        <translation>Nos mapas chama-se “%1”</translation>
+    </message>
+    <message>
+        <source>Landmark</source>
+        <translation>Ponto de referência</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Tipo</translation>
+    </message>
+    <message>
+        <source>Real size</source>
+        <translation>Tamanho real</translation>
+    </message>
+    <message>
+        <source>Views</source>
+        <translation>Vistas</translation>
+    </message>
+    <message>
+        <source>How well it is found</source>
+        <translation>Como é encontrado</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::LibraryPanel</name>
+    <message>
+        <source>Nothing is chosen</source>
+        <translation>Nada está escolhido</translation>
+    </message>
+    <message>
+        <source>Not checked yet. “Check all” looks how well each landmark is found.</source>
+        <translation>Ainda por verificar. “Verificar tudo” mede como cada ponto é encontrado.</translation>
+    </message>
+    <message>
+        <source>View %1</source>
+        <translation>Vista %1</translation>
+    </message>
+    <message>
+        <source>Each view is held back once and looked for with the others; then each landmark is shown smaller and turned.</source>
+        <translation>Cada vista é retirada uma vez e procurada com as outras; depois cada ponto é mostrado mais pequeno e rodado.</translation>
+    </message>
+    <message>
+        <source>Not checked yet. “Check all” looks how well each landmark is found, and which are taken for each other.</source>
+        <translation>Ainda por verificar. “Verificar tudo” mede como cada ponto é encontrado e quais se confundem.</translation>
+    </message>
+    <message>
+        <source>All landmarks are found well.</source>
+        <translation>Todos os pontos de referência se encontram bem.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n landmark(s) need care.</source>
+        <translation>
+            <numerusform>%n ponto de referência precisa de atenção.</numerusform>
+            <numerusform>%n pontos de referência precisam de atenção.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>None is taken for another.</source>
+        <translation>Nenhum é tomado por outro.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pair(s) are taken for each other.</source>
+        <translation>
+            <numerusform>%n par confunde-se.</numerusform>
+            <numerusform>%n pares confundem-se.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Rows: whose picture was shown. Columns: what was seen in it. On the diagonal: views found again.</source>
+        <translation>Linhas: de quem é a imagem mostrada. Colunas: o que nela se viu. Na diagonal: vistas reencontradas.</translation>
+    </message>
+    <message>
+        <source>The library was changed since: check again.</source>
+        <translation>A biblioteca mudou desde então: verifique outra vez.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n landmark(s)</source>
+        <translation>
+            <numerusform>%n ponto de referência</numerusform>
+            <numerusform>%n pontos de referência</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Landmarks</source>
+        <translation>Pontos de referência</translation>
+    </message>
+    <message>
+        <source>This library is empty. “Teach” begins with the first landmark.</source>
+        <translation>Esta biblioteca está vazia. “Ensinar” começa pelo primeiro ponto de referência.</translation>
+    </message>
+    <message>
+        <source>Open a landmark library, or make a new one, to teach Farol what it shall know again.</source>
+        <translation>Abra uma biblioteca de pontos de referência, ou crie uma, para ensinar ao Farol o que deve reconhecer.</translation>
+    </message>
+    <message>
+        <source>Landmarks of the library</source>
+        <translation>Pontos de referência da biblioteca</translation>
+    </message>
+    <message>
+        <source>The landmarks that Farol was taught; press Enter to add views to one</source>
+        <translation>Os pontos ensinados ao Farol; Enter junta vistas a um deles</translation>
+    </message>
+    <message>
+        <source>Views of the landmark</source>
+        <translation>Vistas do ponto de referência</translation>
+    </message>
+    <message>
+        <source>The photographs it is learnt from; choose some of them to split or to delete them</source>
+        <translation>As fotografias de que é aprendido; escolha algumas para as separar ou apagar</translation>
+    </message>
+    <message>
+        <source>&amp;Views:</source>
+        <translation>&amp;Vistas:</translation>
+    </message>
+    <message>
+        <source>Landmark</source>
+        <translation>Ponto de referência</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Relatório</translation>
+    </message>
+    <message>
+        <source>Details</source>
+        <translation>Pormenores</translation>
+    </message>
+    <message>
+        <source>C&amp;heck all</source>
+        <translation>&amp;Verificar tudo</translation>
+    </message>
+    <message>
+        <source>Check all landmarks</source>
+        <translation>Verificar todos os pontos de referência</translation>
+    </message>
+    <message>
+        <source>Look how well each landmark is found and which are taken for each other</source>
+        <translation>Medir como cada ponto é encontrado e quais se confundem</translation>
+    </message>
+    <message>
+        <source>Save as CS&amp;V…</source>
+        <translation>Guardar como C&amp;SV…</translation>
+    </message>
+    <message>
+        <source>Save the report as CSV</source>
+        <translation>Guardar o relatório como CSV</translation>
+    </message>
+    <message>
+        <source>Save the report for a spreadsheet</source>
+        <translation>Guardar o relatório para uma folha de cálculo</translation>
+    </message>
+    <message>
+        <source>Progress of the check</source>
+        <translation>Progresso da verificação</translation>
+    </message>
+    <message>
+        <source>Who is taken for whom</source>
+        <translation>Quem é tomado por quem</translation>
+    </message>
+    <message>
+        <source>Rows: whose picture was shown. Columns: what was seen in it.</source>
+        <translation>Linhas: de quem é a imagem mostrada. Colunas: o que nela se viu.</translation>
+    </message>
+</context>
+<context>
     <name>farol::ui::LivePage</name>
     <message>
         <source>What was said</source>
@@ -1695,12 +1962,40 @@ Guia uma pessoa cega por um edifício com uma câmara comum: reconhece o que lhe
         <translation>Páginas</translation>
     </message>
     <message>
-        <source>Watch a walk, or work on a map (Ctrl+1, Ctrl+2)</source>
-        <translation>Acompanhar um percurso, ou trabalhar num mapa (Ctrl+1, Ctrl+2)</translation>
-    </message>
-    <message>
         <source>&amp;Next visitor now</source>
         <translation>&amp;Próximo visitante já</translation>
+    </message>
+    <message>
+        <source>Landmarks</source>
+        <translation>Pontos de referência</translation>
+    </message>
+    <message>
+        <source>Watch a walk, work on a map, or teach landmarks (Ctrl+1 to Ctrl+3)</source>
+        <translation>Ver um percurso, trabalhar num mapa ou ensinar pontos de referência (Ctrl+1 a Ctrl+3)</translation>
+    </message>
+    <message>
+        <source>The landmark library was changed on the Landmarks page.</source>
+        <translation>A biblioteca mudou na página dos pontos de referência.</translation>
+    </message>
+    <message>
+        <source>Start &amp;again with it</source>
+        <translation>&amp;Recomeçar com ela</translation>
+    </message>
+    <message>
+        <source>Changes are not saved</source>
+        <translation>Há alterações por guardar</translation>
+    </message>
+    <message>
+        <source>The landmark library could not be written; its last changes would be lost.</source>
+        <translation>Não foi possível escrever a biblioteca; as últimas alterações perdiam-se.</translation>
+    </message>
+    <message>
+        <source>&amp;Leave all the same</source>
+        <translation>&amp;Sair mesmo assim</translation>
+    </message>
+    <message>
+        <source>&amp;Stay</source>
+        <translation>&amp;Ficar</translation>
     </message>
 </context>
 <context>
@@ -2060,6 +2355,14 @@ Guia uma pessoa cega por um edifício com uma câmara comum: reconhece o que lhe
         <source>%1 cannot be written. Choose another folder.</source>
         <translation>Não é possível escrever %1. Escolha outra pasta.</translation>
     </message>
+    <message>
+        <source>Open the map on which the landmark shall stand.</source>
+        <translation>Abra o mapa onde o ponto de referência vai ficar.</translation>
+    </message>
+    <message>
+        <source>&amp;Open map…</source>
+        <translation>&amp;Abrir mapa…</translation>
+    </message>
 </context>
 <context>
     <name>farol::ui::MapPanel</name>
@@ -2162,6 +2465,37 @@ Abra um com Ctrl+O.</translation>
     <message>
         <source>More likely</source>
         <translation>Mais provável</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::OutlineView</name>
+    <message>
+        <source>No picture yet</source>
+        <translation>Ainda não há imagem</translation>
+    </message>
+    <message>
+        <source>The whole picture counts</source>
+        <translation>Conta a imagem toda</translation>
+    </message>
+    <message>
+        <source>top left</source>
+        <translation>em cima à esquerda</translation>
+    </message>
+    <message>
+        <source>top right</source>
+        <translation>em cima à direita</translation>
+    </message>
+    <message>
+        <source>bottom right</source>
+        <translation>em baixo à direita</translation>
+    </message>
+    <message>
+        <source>bottom left</source>
+        <translation>em baixo à esquerda</translation>
+    </message>
+    <message>
+        <source>Corner %1, %2, is %3 to the right and %4 down</source>
+        <translation>O canto %1, %2, está %3 para a direita e %4 para baixo</translation>
     </message>
 </context>
 <context>
@@ -3232,6 +3566,13 @@ Abra um com Ctrl+O.</translation>
             <numerusform>Continue em frente cerca de %n passo.</numerusform>
             <numerusform>Continue em frente cerca de %n passos.</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::PictureReel</name>
+    <message>
+        <source>There are no pictures in %1.</source>
+        <translation>Não há imagens em %1.</translation>
     </message>
 </context>
 <context>
@@ -4566,6 +4907,968 @@ Abra um com Ctrl+O.</translation>
     </message>
 </context>
 <context>
+    <name>farol::ui::TeachPanel</name>
+    <message>
+        <source>Give up?</source>
+        <translation>Desistir?</translation>
+    </message>
+    <message>
+        <source>What you have taught of this landmark will be lost.</source>
+        <translation>O que ensinou deste ponto de referência perde-se.</translation>
+    </message>
+    <message>
+        <source>&amp;Give it up</source>
+        <translation>&amp;Desistir</translation>
+    </message>
+    <message>
+        <source>&amp;Keep it</source>
+        <translation>&amp;Manter</translation>
+    </message>
+    <message>
+        <source>Add a view first.</source>
+        <translation>Junte primeiro uma vista.</translation>
+    </message>
+    <message>
+        <source>Learning…</source>
+        <translation>A aprender…</translation>
+    </message>
+    <message>
+        <source>A new landmark</source>
+        <translation>Um novo ponto de referência</translation>
+    </message>
+    <message>
+        <source>What it is</source>
+        <translation>O que é</translation>
+    </message>
+    <message>
+        <source>Views</source>
+        <translation>Vistas</translation>
+    </message>
+    <message>
+        <source>Trial</source>
+        <translation>Experiência</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Mapa</translation>
+    </message>
+    <message>
+        <source>%1. %2</source>
+        <translation>%1. %2</translation>
+    </message>
+    <message>
+        <source>Step %1 of %2: %3</source>
+        <translation>Passo %1 de %2: %3</translation>
+    </message>
+    <message>
+        <source>&amp;Done</source>
+        <translation>&amp;Feito</translation>
+    </message>
+    <message>
+        <source>&amp;Save it</source>
+        <translation>&amp;Guardar</translation>
+    </message>
+    <message>
+        <source>&amp;Go on</source>
+        <translation>&amp;Continuar</translation>
+    </message>
+    <message>
+        <source>Go back to the library</source>
+        <translation>Voltar à biblioteca</translation>
+    </message>
+    <message>
+        <source>Put it into the library</source>
+        <translation>Pôr na biblioteca</translation>
+    </message>
+    <message>
+        <source>The next step</source>
+        <translation>O passo seguinte</translation>
+    </message>
+    <message>
+        <source>“%1” is in the library. Where does it hang? Put it on the map, so that Farol knows where you are when it is seen. The same landmark can hang in several places.</source>
+        <translation>“%1” está na biblioteca. Onde se encontra? Ponha-o no mapa, para que o Farol saiba onde está quando o vê. O mesmo ponto pode existir em vários lugares.</translation>
+    </message>
+    <message>
+        <source>&amp;Back</source>
+        <translation>&amp;Anterior</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Anterior</translation>
+    </message>
+    <message>
+        <source>The step before</source>
+        <translation>O passo anterior</translation>
+    </message>
+    <message>
+        <source>Put as&amp;ide</source>
+        <translation>&amp;Pôr de lado</translation>
+    </message>
+    <message>
+        <source>Put aside</source>
+        <translation>Pôr de lado</translation>
+    </message>
+    <message>
+        <source>Go back to the library and go on with this landmark later</source>
+        <translation>Voltar à biblioteca e continuar este ponto mais tarde</translation>
+    </message>
+    <message>
+        <source>Give &amp;up</source>
+        <translation>&amp;Desistir</translation>
+    </message>
+    <message>
+        <source>Give up</source>
+        <translation>Desistir</translation>
+    </message>
+    <message>
+        <source>Forget this landmark</source>
+        <translation>Esquecer este ponto de referência</translation>
+    </message>
+    <message>
+        <source>Put it on the &amp;map…</source>
+        <translation>Pôr no &amp;mapa…</translation>
+    </message>
+    <message>
+        <source>Put it on the map</source>
+        <translation>Pôr no mapa</translation>
+    </message>
+    <message>
+        <source>Choose its place on the Map page</source>
+        <translation>Escolher o lugar na página do mapa</translation>
+    </message>
+    <message>
+        <source>Teach an&amp;other</source>
+        <translation>Ensinar &amp;outro</translation>
+    </message>
+    <message>
+        <source>Teach another</source>
+        <translation>Ensinar outro</translation>
+    </message>
+    <message>
+        <source>Teach the next landmark</source>
+        <translation>Ensinar o ponto de referência seguinte</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::TeachSession</name>
+    <message>
+        <source>Give it a name first.</source>
+        <translation>Dê-lhe primeiro um nome.</translation>
+    </message>
+    <message>
+        <source>Say what maps shall call it: letters and digits.</source>
+        <translation>Diga como os mapas lhe chamam: letras e algarismos.</translation>
+    </message>
+    <message>
+        <source>“%1” is in the library already. Choose another name, or add views to that one.</source>
+        <translation>“%1” já está na biblioteca. Escolha outro nome, ou junte vistas a esse.</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::TeachTry</name>
+    <message>
+        <source>Folder of a recorded walk, or of pictures</source>
+        <translation>Pasta de um percurso gravado, ou de imagens</translation>
+    </message>
+    <message>
+        <source>Found, %1 % sure.</source>
+        <translation>Encontrado, com %1 % de certeza.</translation>
+    </message>
+    <message>
+        <source>About %1 m away.</source>
+        <translation>A cerca de %1 m.</translation>
+    </message>
+    <message>
+        <source>Not found.</source>
+        <translation>Não encontrado.</translation>
+    </message>
+    <message>
+        <source>Not found: %1.</source>
+        <translation>Não encontrado: %1.</translation>
+    </message>
+    <message>
+        <source>Also seen: %1.</source>
+        <translation>Também visto: %1.</translation>
+    </message>
+    <message>
+        <source>Found in %1 of %2 pictures looked at.</source>
+        <translation>Encontrado em %1 de %2 imagens vistas.</translation>
+    </message>
+    <message>
+        <source>Looking…</source>
+        <translation>A procurar…</translation>
+    </message>
+    <message>
+        <source>No picture yet.</source>
+        <translation>Ainda não há imagem.</translation>
+    </message>
+    <message>
+        <source>Looking how well it is found…</source>
+        <translation>A medir como é encontrado…</translation>
+    </message>
+    <message>
+        <source>Walk towards it, past it and away from it, or step through other pictures, and see whether Farol finds it. Go back to add views where it is lost.</source>
+        <translation>Aproxime-se, passe por ele e afaste-se, ou percorra outras imagens, e veja se o Farol o encontra. Volte atrás para juntar vistas onde se perde.</translation>
+    </message>
+    <message>
+        <source>&amp;Camera</source>
+        <translation>&amp;Câmara</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Câmara</translation>
+    </message>
+    <message>
+        <source>Look for it with the camera of this computer</source>
+        <translation>Procurá-lo com a câmara deste computador</translation>
+    </message>
+    <message>
+        <source>&amp;Recording…</source>
+        <translation>&amp;Gravação…</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Gravação</translation>
+    </message>
+    <message>
+        <source>Look for it in a recorded walk, or in any folder of pictures</source>
+        <translation>Procurá-lo num percurso gravado ou em qualquer pasta de imagens</translation>
+    </message>
+    <message>
+        <source>Pre&amp;vious picture</source>
+        <translation>Imagem an&amp;terior</translation>
+    </message>
+    <message>
+        <source>Previous picture</source>
+        <translation>Imagem anterior</translation>
+    </message>
+    <message>
+        <source>The picture before</source>
+        <translation>A imagem anterior</translation>
+    </message>
+    <message>
+        <source>Ne&amp;xt picture</source>
+        <translation>Imagem &amp;seguinte</translation>
+    </message>
+    <message>
+        <source>Next picture</source>
+        <translation>Imagem seguinte</translation>
+    </message>
+    <message>
+        <source>The picture after</source>
+        <translation>A imagem seguinte</translation>
+    </message>
+    <message>
+        <source>Picture with what was recognised</source>
+        <translation>Imagem com o que foi reconhecido</translation>
+    </message>
+    <message>
+        <source>What was recognised in this picture, and what nearly was</source>
+        <translation>O que foi reconhecido nesta imagem, e o que quase foi</translation>
+    </message>
+    <message>
+        <source>How well it will be found</source>
+        <translation>Como vai ser encontrado</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::TeachViews</name>
+    <message>
+        <source>No outline was found. Set the four corners yourself.</source>
+        <translation>Não se encontrou o contorno. Marque os quatro cantos.</translation>
+    </message>
+    <message>
+        <source>Photographs</source>
+        <translation>Fotografias</translation>
+    </message>
+    <message>
+        <source>Pictures (%1);;All files (%2)</source>
+        <translation>Imagens (%1);;Todos os ficheiros (%2)</translation>
+    </message>
+    <message>
+        <source>Folder of a recorded walk, or of pictures</source>
+        <translation>Pasta de um percurso gravado, ou de imagens</translation>
+    </message>
+    <message>
+        <source>Learning this view…</source>
+        <translation>A aprender esta vista…</translation>
+    </message>
+    <message numerus="yes">
+        <source>This picture is good: %n point(s).</source>
+        <translation>
+            <numerusform>Esta imagem é boa: %n ponto.</numerusform>
+            <numerusform>Esta imagem é boa: %n pontos.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Coach: %1</source>
+        <translation>Conselho: %1</translation>
+    </message>
+    <message>
+        <source>View %1</source>
+        <translation>Vista %1</translation>
+    </message>
+    <message>
+        <source>%1 (%2 of %3)</source>
+        <translation>%1 (%2 de %3)</translation>
+    </message>
+    <message>
+        <source>Looking how well it is found…</source>
+        <translation>A medir como é encontrado…</translation>
+    </message>
+    <message>
+        <source>Nothing yet: add a view.</source>
+        <translation>Ainda nada: junte uma vista.</translation>
+    </message>
+    <message numerus="yes">
+        <source>With the %n view(s) it had before.</source>
+        <translation>
+            <numerusform>Com a vista que já tinha.</numerusform>
+            <numerusform>Com as %n vistas que já tinha.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>&amp;Camera</source>
+        <translation>&amp;Câmara</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Câmara</translation>
+    </message>
+    <message>
+        <source>Take photographs with the camera of this computer</source>
+        <translation>Fotografar com a câmara deste computador</translation>
+    </message>
+    <message>
+        <source>&amp;Pictures…</source>
+        <translation>&amp;Imagens…</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>Imagens</translation>
+    </message>
+    <message>
+        <source>Choose photographs from files</source>
+        <translation>Escolher fotografias de ficheiros</translation>
+    </message>
+    <message>
+        <source>&amp;Recording…</source>
+        <translation>&amp;Gravação…</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Gravação</translation>
+    </message>
+    <message>
+        <source>Choose the folder of a recorded walk, or any folder of pictures</source>
+        <translation>Escolher a pasta de um percurso gravado, ou qualquer pasta de imagens</translation>
+    </message>
+    <message>
+        <source>&amp;Hold</source>
+        <translation>&amp;Parar</translation>
+    </message>
+    <message>
+        <source>Hold the picture</source>
+        <translation>Parar a imagem</translation>
+    </message>
+    <message>
+        <source>Keep the picture that the camera shows now</source>
+        <translation>Manter a imagem que a câmara mostra agora</translation>
+    </message>
+    <message>
+        <source>Pre&amp;vious picture</source>
+        <translation>Imagem an&amp;terior</translation>
+    </message>
+    <message>
+        <source>Previous picture</source>
+        <translation>Imagem anterior</translation>
+    </message>
+    <message>
+        <source>The picture before</source>
+        <translation>A imagem anterior</translation>
+    </message>
+    <message>
+        <source>Ne&amp;xt picture</source>
+        <translation>Imagem &amp;seguinte</translation>
+    </message>
+    <message>
+        <source>Next picture</source>
+        <translation>Imagem seguinte</translation>
+    </message>
+    <message>
+        <source>The picture after</source>
+        <translation>A imagem seguinte</translation>
+    </message>
+    <message>
+        <source>&amp;Find outline</source>
+        <translation>Procurar conto&amp;rno</translation>
+    </message>
+    <message>
+        <source>Find the outline</source>
+        <translation>Procurar o contorno</translation>
+    </message>
+    <message>
+        <source>Look for the outline in this picture</source>
+        <translation>Procurar o contorno nesta imagem</translation>
+    </message>
+    <message>
+        <source>Whole p&amp;icture</source>
+        <translation>Imagem &amp;toda</translation>
+    </message>
+    <message>
+        <source>Outline the whole picture</source>
+        <translation>Contornar a imagem toda</translation>
+    </message>
+    <message>
+        <source>Set the corners to those of the picture</source>
+        <translation>Pôr os cantos nos da imagem</translation>
+    </message>
+    <message>
+        <source>&amp;Add this view</source>
+        <translation>&amp;Juntar esta vista</translation>
+    </message>
+    <message>
+        <source>Add this view</source>
+        <translation>Juntar esta vista</translation>
+    </message>
+    <message>
+        <source>Learn the landmark from this picture</source>
+        <translation>Aprender o ponto de referência desta imagem</translation>
+    </message>
+    <message>
+        <source>Re&amp;move view</source>
+        <translation>Retirar &amp;vista</translation>
+    </message>
+    <message>
+        <source>Remove the chosen view</source>
+        <translation>Retirar a vista escolhida</translation>
+    </message>
+    <message>
+        <source>Forget the chosen view</source>
+        <translation>Esquecer a vista escolhida</translation>
+    </message>
+    <message>
+        <source>Coach</source>
+        <translation>Conselhos</translation>
+    </message>
+    <message>
+        <source>Views so far</source>
+        <translation>Vistas até agora</translation>
+    </message>
+    <message>
+        <source>How well it will be found</source>
+        <translation>Como vai ser encontrado</translation>
+    </message>
+    <message>
+        <source>The photographs it is learnt from</source>
+        <translation>As fotografias de que é aprendido</translation>
+    </message>
+    <message>
+        <source>Picture with outline</source>
+        <translation>Imagem com contorno</translation>
+    </message>
+    <message>
+        <source>Drag the four corners onto the landmark. By keys: 1 to 4 choose a corner, the arrows move it, with Shift by one pixel.</source>
+        <translation>Arraste os quatro cantos para o ponto de referência. Com teclas: 1 a 4 escolhem um canto, as setas movem-no, com Shift um ponto de cada vez.</translation>
+    </message>
+    <message>
+        <source>No picture yet.
+Switch on the camera, or choose pictures or a recording.</source>
+        <translation>Ainda não há imagem.
+Ligue a câmara, ou escolha imagens ou uma gravação.</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::TeachWhat</name>
+    <message>
+        <source>What is it that Farol shall know again? A sign, a poster, a door with something on it: flat things with detail are known best. Choose “known place” for the whole view of a spot.</source>
+        <translation>O que deve o Farol reconhecer? Um letreiro, um cartaz, uma porta com algo escrito: as coisas planas e com pormenores são as mais fáceis. Escolha “lugar conhecido” para toda a vista de um sítio.</translation>
+    </message>
+    <message>
+        <source>&amp;Name:</source>
+        <translation>&amp;Nome:</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nome</translation>
+    </message>
+    <message>
+        <source>What people call it</source>
+        <translation>Como as pessoas lhe chamam</translation>
+    </message>
+    <message>
+        <source>&amp;Kind:</source>
+        <translation>&amp;Tipo:</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Tipo</translation>
+    </message>
+    <message>
+        <source>What it is</source>
+        <translation>O que é</translation>
+    </message>
+    <message>
+        <source>Real &amp;width:</source>
+        <translation>&amp;Largura real:</translation>
+    </message>
+    <message>
+        <source>Real width</source>
+        <translation>Largura real</translation>
+    </message>
+    <message>
+        <source>Lets Farol tell how far away it is</source>
+        <translation>Deixa o Farol saber a que distância está</translation>
+    </message>
+    <message>
+        <source>Real &amp;height:</source>
+        <translation>&amp;Altura real:</translation>
+    </message>
+    <message>
+        <source>Real height</source>
+        <translation>Altura real</translation>
+    </message>
+    <message>
+        <source>In &amp;maps called:</source>
+        <translation>Nome nos &amp;mapas:</translation>
+    </message>
+    <message>
+        <source>In maps called</source>
+        <translation>Nome nos mapas</translation>
+    </message>
+    <message>
+        <source>Landmarks of the map refer to it by this word, so it should not change</source>
+        <translation>Os pontos do mapa usam esta palavra, por isso não deve mudar</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>desconhecido</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::TrainingActions</name>
+    <message>
+        <source>&amp;Landmarks</source>
+        <translation>Pontos de &amp;referência</translation>
+    </message>
+    <message>
+        <source>Landmarks</source>
+        <translation>Pontos de referência</translation>
+    </message>
+    <message>
+        <source>&amp;Open library…</source>
+        <translation>&amp;Abrir biblioteca…</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Abrir</translation>
+    </message>
+    <message>
+        <source>Open a landmark library</source>
+        <translation>Abrir uma biblioteca de pontos de referência</translation>
+    </message>
+    <message>
+        <source>&amp;New library…</source>
+        <translation>&amp;Nova biblioteca…</translation>
+    </message>
+    <message>
+        <source>New</source>
+        <translation>Nova</translation>
+    </message>
+    <message>
+        <source>Make an empty landmark library</source>
+        <translation>Criar uma biblioteca vazia</translation>
+    </message>
+    <message>
+        <source>Save &amp;as…</source>
+        <translation>Guardar &amp;como…</translation>
+    </message>
+    <message>
+        <source>Save as</source>
+        <translation>Guardar como</translation>
+    </message>
+    <message>
+        <source>Write the library into another file; every change is saved by itself</source>
+        <translation>Escrever a biblioteca noutro ficheiro; cada alteração guarda-se sozinha</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Desfazer</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Desfazer</translation>
+    </message>
+    <message>
+        <source>Take back the last change</source>
+        <translation>Desfazer a última alteração</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Refazer</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Refazer</translation>
+    </message>
+    <message>
+        <source>Make the change again that was taken back</source>
+        <translation>Refazer a alteração desfeita</translation>
+    </message>
+    <message>
+        <source>&amp;Teach a landmark</source>
+        <translation>&amp;Ensinar um ponto de referência</translation>
+    </message>
+    <message>
+        <source>Teach</source>
+        <translation>Ensinar</translation>
+    </message>
+    <message>
+        <source>Teach Farol a new landmark, step by step</source>
+        <translation>Ensinar ao Farol um novo ponto de referência, passo a passo</translation>
+    </message>
+    <message>
+        <source>Add &amp;views</source>
+        <translation>&amp;Juntar vistas</translation>
+    </message>
+    <message>
+        <source>Add views</source>
+        <translation>Juntar vistas</translation>
+    </message>
+    <message>
+        <source>Teach more views of the chosen landmark</source>
+        <translation>Ensinar mais vistas do ponto escolhido</translation>
+    </message>
+    <message>
+        <source>&amp;Change…</source>
+        <translation>Al&amp;terar…</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Alterar</translation>
+    </message>
+    <message>
+        <source>Change the name, kind or size of the chosen landmark</source>
+        <translation>Mudar o nome, o tipo ou o tamanho do ponto escolhido</translation>
+    </message>
+    <message>
+        <source>&amp;Merge with…</source>
+        <translation>J&amp;untar com…</translation>
+    </message>
+    <message>
+        <source>Merge</source>
+        <translation>Juntar</translation>
+    </message>
+    <message>
+        <source>Make the chosen landmark and another one the same</source>
+        <translation>Fazer do ponto escolhido e de outro um só</translation>
+    </message>
+    <message>
+        <source>&amp;Split…</source>
+        <translation>&amp;Separar…</translation>
+    </message>
+    <message>
+        <source>Split</source>
+        <translation>Separar</translation>
+    </message>
+    <message>
+        <source>Make the chosen views a landmark of their own</source>
+        <translation>Fazer das vistas escolhidas um ponto próprio</translation>
+    </message>
+    <message>
+        <source>Delete the chosen vie&amp;ws</source>
+        <translation>Apagar as &amp;vistas escolhidas</translation>
+    </message>
+    <message>
+        <source>Delete views</source>
+        <translation>Apagar vistas</translation>
+    </message>
+    <message>
+        <source>Forget the chosen views of the landmark</source>
+        <translation>Esquecer as vistas escolhidas do ponto</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>A&amp;pagar</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Apagar</translation>
+    </message>
+    <message>
+        <source>Forget the chosen landmark</source>
+        <translation>Esquecer o ponto escolhido</translation>
+    </message>
+    <message>
+        <source>&amp;Put on the map…</source>
+        <translation>Pôr no &amp;mapa…</translation>
+    </message>
+    <message>
+        <source>On the map</source>
+        <translation>No mapa</translation>
+    </message>
+    <message>
+        <source>Put the chosen landmark on the map</source>
+        <translation>Pôr o ponto escolhido no mapa</translation>
+    </message>
+    <message>
+        <source>C&amp;heck all</source>
+        <translation>&amp;Verificar tudo</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>Verificar</translation>
+    </message>
+    <message>
+        <source>Look how well each landmark is found and which are taken for each other</source>
+        <translation>Medir como cada ponto é encontrado e quais se confundem</translation>
+    </message>
+    <message>
+        <source>Wal&amp;k with this library</source>
+        <translation>Percorrer com esta &amp;biblioteca</translation>
+    </message>
+    <message>
+        <source>Walk</source>
+        <translation>Percurso</translation>
+    </message>
+    <message>
+        <source>Use this library on the Walk page</source>
+        <translation>Usar esta biblioteca na página do percurso</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::TrainingPage</name>
+    <message>
+        <source>Open another &amp;library…</source>
+        <translation>Abrir outra &amp;biblioteca…</translation>
+    </message>
+    <message>
+        <source>Not saved: %1</source>
+        <translation>Por guardar: %1</translation>
+    </message>
+    <message>
+        <source>Save el&amp;sewhere…</source>
+        <translation>Guardar &amp;noutro sítio…</translation>
+    </message>
+    <message>
+        <source>Not saved: another program has changed %1 meanwhile.</source>
+        <translation>Por guardar: entretanto outro programa mudou %1.</translation>
+    </message>
+    <message>
+        <source>Open a landmark library</source>
+        <translation>Abrir uma biblioteca de pontos de referência</translation>
+    </message>
+    <message>
+        <source>Landmark libraries (%1);;All files (%2)</source>
+        <translation>Bibliotecas de pontos de referência (%1);;Todos os ficheiros (%2)</translation>
+    </message>
+    <message>
+        <source>New landmark library</source>
+        <translation>Nova biblioteca de pontos de referência</translation>
+    </message>
+    <message>
+        <source>Landmark libraries (%1)</source>
+        <translation>Bibliotecas de pontos de referência (%1)</translation>
+    </message>
+    <message>
+        <source>Save the library as</source>
+        <translation>Guardar a biblioteca como</translation>
+    </message>
+    <message numerus="yes">
+        <source>“%1” is unfinished, with %n view(s).</source>
+        <translation>
+            <numerusform>“%1” está por acabar, com %n vista.</numerusform>
+            <numerusform>“%1” está por acabar, com %n vistas.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>A new landmark</source>
+        <translation>Um novo ponto de referência</translation>
+    </message>
+    <message>
+        <source>Go &amp;on with it</source>
+        <translation>&amp;Continuar</translation>
+    </message>
+    <message>
+        <source>Teach “%1”</source>
+        <translation>Ensinar “%1”</translation>
+    </message>
+    <message>
+        <source>Save the report</source>
+        <translation>Guardar o relatório</translation>
+    </message>
+    <message>
+        <source>Table (%1)</source>
+        <translation>Tabela (%1)</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written. Choose another folder.</source>
+        <translation>Não é possível escrever %1. Escolha outra pasta.</translation>
+    </message>
+    <message>
+        <source>Working…</source>
+        <translation>A trabalhar…</translation>
+    </message>
+    <message>
+        <source>%1 · being saved</source>
+        <translation>%1 · a guardar</translation>
+    </message>
+    <message>
+        <source>%1 · saved</source>
+        <translation>%1 · guardado</translation>
+    </message>
+    <message>
+        <source>Change “%1”</source>
+        <translation>Alterar “%1”</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Merge landmarks</source>
+        <translation>Juntar pontos de referência</translation>
+    </message>
+    <message>
+        <source>The views of this landmark go to “%1”, and it is deleted:</source>
+        <translation>As vistas deste ponto passam para “%1”, e ele é apagado:</translation>
+    </message>
+    <message>
+        <source>Split the landmark</source>
+        <translation>Separar o ponto de referência</translation>
+    </message>
+    <message numerus="yes">
+        <source>Name of the landmark that the %n chosen view(s) become:</source>
+        <translation>
+            <numerusform>Nome do ponto em que se torna a vista escolhida:</numerusform>
+            <numerusform>Nome do ponto em que se tornam as %n vistas escolhidas:</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Delete views</source>
+        <translation>Apagar vistas</translation>
+    </message>
+    <message>
+        <source>Delete “%1”</source>
+        <translation>Apagar “%1”</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::TrainingWords</name>
+    <message>
+        <source>Too dark. Switch on a light.</source>
+        <translation>Escuro de mais. Acenda uma luz.</translation>
+    </message>
+    <message>
+        <source>Too bright. Turn away from the window or the lamp.</source>
+        <translation>Claro de mais. Afaste-se da janela ou da lâmpada.</translation>
+    </message>
+    <message>
+        <source>Blurred. Hold the camera still, or wait until it is sharp.</source>
+        <translation>Desfocada. Segure a câmara sem a mexer, ou espere que fique nítida.</translation>
+    </message>
+    <message>
+        <source>Too small in the picture. Go nearer.</source>
+        <translation>Pequeno de mais na imagem. Aproxime-se.</translation>
+    </message>
+    <message>
+        <source>Too little detail inside the outline. Go nearer, or choose something with more detail.</source>
+        <translation>Poucos pormenores dentro do contorno. Aproxime-se, ou escolha algo com mais pormenores.</translation>
+    </message>
+    <message>
+        <source>The corners cross. Set them clockwise from the top left.</source>
+        <translation>Os cantos cruzam-se. Marque-os no sentido dos ponteiros, a partir de cima à esquerda.</translation>
+    </message>
+    <message>
+        <source>Next: straight from the front, about 2 metres away.</source>
+        <translation>A seguir: bem de frente, a cerca de 2 metros.</translation>
+    </message>
+    <message>
+        <source>Next: from the left, so that you see it aslant.</source>
+        <translation>A seguir: da esquerda, vendo-o de lado.</translation>
+    </message>
+    <message>
+        <source>Next: from the right, so that you see it aslant.</source>
+        <translation>A seguir: da direita, vendo-o de lado.</translation>
+    </message>
+    <message>
+        <source>Next: from farther away, about twice as far.</source>
+        <translation>A seguir: de mais longe, cerca do dobro da distância.</translation>
+    </message>
+    <message>
+        <source>Next: the same view from a step aside, or a step nearer.</source>
+        <translation>A seguir: a mesma vista um passo ao lado, ou um passo mais perto.</translation>
+    </message>
+    <message>
+        <source>These views are enough. More do no harm.</source>
+        <translation>Estas vistas chegam. Mais não fazem mal.</translation>
+    </message>
+    <message>
+        <source>There is one view only: nothing to look for it with. Add another.</source>
+        <translation>Há só uma vista: não há com que a procurar. Junte outra.</translation>
+    </message>
+    <message>
+        <source>Found in %1 of its %2 views by the others.</source>
+        <translation>Encontrado em %1 das suas %2 vistas pelas outras.</translation>
+    </message>
+    <message>
+        <source>Found from up to about %1 m (%2 pixels).</source>
+        <translation>Encontrado até cerca de %1 m (%2 píxeis).</translation>
+    </message>
+    <message>
+        <source>Found down to a size of %1 pixels in the picture; give its real size to learn how far that is.</source>
+        <translation>Encontrado até ao tamanho de %1 píxeis na imagem; dê o tamanho real para saber a que distância é.</translation>
+    </message>
+    <message>
+        <source>Found up to %1 degrees aside.</source>
+        <translation>Encontrado até %1 graus de lado.</translation>
+    </message>
+    <message>
+        <source>Not found from aside. Add views from the left and the right.</source>
+        <translation>Não se encontra de lado. Junte vistas da esquerda e da direita.</translation>
+    </message>
+    <message>
+        <source>Never found when shown smaller or turned. Choose something with more detail.</source>
+        <translation>Nunca se encontra mais pequeno ou rodado. Escolha algo com mais pormenores.</translation>
+    </message>
+    <message>
+        <source>Taken for another: %1.</source>
+        <translation>Tomado por outro: %1.</translation>
+    </message>
+    <message>
+        <source>Others are taken for it: %1.</source>
+        <translation>Outros são tomados por ele: %1.</translation>
+    </message>
+    <message>
+        <source>Confused with none of the others.</source>
+        <translation>Não se confunde com nenhum dos outros.</translation>
+    </message>
+    <message>
+        <source>confused with %1</source>
+        <translation>confunde-se com %1</translation>
+    </message>
+    <message>
+        <source>hard to find</source>
+        <translation>difícil de encontrar</translation>
+    </message>
+    <message>
+        <source>found from near only</source>
+        <translation>só se encontra de perto</translation>
+    </message>
+    <message>
+        <source>%1 of %2 views found again</source>
+        <translation>%1 de %2 vistas reencontradas</translation>
+    </message>
+    <message>
+        <source>one view only</source>
+        <translation>só uma vista</translation>
+    </message>
+    <message>
+        <source>good</source>
+        <translation>bom</translation>
+    </message>
+</context>
+<context>
     <name>farol::ui::UtteranceModel</name>
     <message>
         <source>Caused by picture %1</source>
@@ -5072,6 +6375,14 @@ Abra um com Ctrl+O.</translation>
     <message>
         <source>Look at the map of a building, check it and change it</source>
         <translation>Ver o mapa de um edifício, verificá-lo e alterá-lo</translation>
+    </message>
+    <message>
+        <source>Landmark&amp;s page</source>
+        <translation>Página dos pontos de r&amp;eferência</translation>
+    </message>
+    <message>
+        <source>Teach Farol landmarks, check them and change them</source>
+        <translation>Ensinar pontos de referência ao Farol, verificá-los e mudá-los</translation>
     </message>
 </context>
 <context>

@@ -39,7 +39,7 @@ void look(const LandmarkRecogniser& recogniser, const View& view, bool heldBack,
 }
 
 constexpr std::array<double, 6> kSizes{300, 200, 100, 64, 44, 32}; // pixels of the longer side
-constexpr std::array<double, 4> kTurns{40, 52, 62, 70};             // degrees, at the second size
+constexpr std::array<double, 4> kTurns{40, 52, 62, 70};            // degrees, at the second size
 constexpr std::size_t kShown = kSizes.size() + kTurns.size();
 constexpr double kFocal = 600.0; // of a frame 640 wide
 const cv::Size kFrame(640, 480);
@@ -119,7 +119,9 @@ void show(const LandmarkRecogniser& recogniser, const Template& entry, TemplateC
 } // namespace
 
 std::vector<TemplateCheck> checkLibrary(const LandmarkLibrary& library, const RecogniserOptions& options,
-                                        const std::function<void(std::size_t, std::size_t)>& progress) {
+                                        const std::function<void(std::size_t, std::size_t)>& progress,
+                                        const std::atomic<bool>* stop) {
+    const auto stopped = [stop] { return stop != nullptr && stop->load(); };
     std::vector<TemplateCheck> checks;
     std::size_t rounds = 0;
     for (const Template& entry : library.templates) {
@@ -136,18 +138,50 @@ std::vector<TemplateCheck> checkLibrary(const LandmarkLibrary& library, const Re
         LandmarkRecogniser recogniser(without(library, held), options);
         for (std::size_t i = 0; i < library.templates.size(); ++i) {
             const Template& entry = library.templates[i];
+            if (stopped()) return checks;
             if (held >= entry.views.size()) continue;
             look(recogniser, entry.views[held], entry.views.size() > 1, checks[i]);
             if (progress) progress(++done, all);
         }
     }
     LandmarkRecogniser whole(std::make_shared<const LandmarkLibrary>(library), options);
-    for (std::size_t i = 0; i < library.templates.size(); ++i) {
+    for (std::size_t i = 0; i < library.templates.size() && !stopped(); ++i) {
         show(whole, library.templates[i], checks[i]);
         done += kShown;
         if (progress) progress(done, all);
     }
     return checks;
+}
+
+std::optional<TemplateCheck> checkTemplate(const LandmarkLibrary& library, const TemplateId& id,
+                                           const RecogniserOptions& options, const std::atomic<bool>* stop) {
+    const auto stopped = [stop] { return stop != nullptr && stop->load(); };
+    const Template* entry = library.find(id);
+    if (entry == nullptr) return std::nullopt;
+    TemplateCheck check;
+    check.id = id;
+    check.views = static_cast<int>(entry->views.size());
+    for (std::size_t held = 0; held < entry->views.size() && entry->views.size() > 1; ++held) {
+        if (stopped()) return std::nullopt;
+        auto rest = std::make_shared<LandmarkLibrary>(library);
+        for (Template& other : rest->templates)
+            if (other.id == id) other.views.erase(other.views.begin() + static_cast<std::ptrdiff_t>(held));
+        look(LandmarkRecogniser(std::move(rest), options), entry->views[held], true, check);
+    }
+    const LandmarkRecogniser whole(std::make_shared<const LandmarkLibrary>(library), options);
+    if (entry->views.size() == 1) look(whole, entry->views.front(), false, check);
+    show(whole, *entry, check);
+    for (const Template& other : library.templates) {
+        if (other.id == id) continue;
+        for (const View& view : other.views) {
+            if (stopped()) return std::nullopt;
+            auto image = capture::decodePicture(view.jpeg, other.id.value);
+            if (!image) continue;
+            for (const Detection& detection : whole.recognise(*image).detections)
+                if (detection.templateId == id) ++check.seenIn[other.id.value];
+        }
+    }
+    return check;
 }
 
 } // namespace farol::recognition

@@ -33,6 +33,8 @@
 #include <QUrl>
 #include <QVBoxLayout>
 
+#include <utility>
+
 namespace farol::ui {
 
 namespace {
@@ -149,7 +151,10 @@ void MapPage::connectFiles() {
 
 void MapPage::connectEdits() {
     const MapActions& a = *m_actions;
-    connect(a.addLandmark, &QAction::triggered, this, [this] { startPlacing(true); });
+    connect(a.addLandmark, &QAction::triggered, this, [this] {
+        m_like.reset();
+        startPlacing(true);
+    });
     connect(a.addAccess, &QAction::triggered, this, [this] { startPlacing(false); });
     connect(a.edit, &QAction::triggered, this, &MapPage::editSelected);
     connect(a.remove, &QAction::triggered, this, &MapPage::removeSelected);
@@ -283,6 +288,7 @@ void MapPage::showOpened() {
     const auto& building = m_document.building();
     m_banners->hide(kFailure);
     m_banners->hide(kRefused);
+    m_banners->hide(QStringLiteral("place"));
     m_features->setBuilding(building);
     m_report->setBuilding(building);
     m_plan->setBuilding(building);
@@ -302,6 +308,7 @@ void MapPage::showOpened() {
     m_report->setBusy(false);
     showAmbiguity(m_actions->ambiguity->isChecked());
     refreshActions();
+    if (std::exchange(m_placeWhenOpen, false)) startPlacing(true);
 }
 
 void MapPage::showFailure(const QString& message) {

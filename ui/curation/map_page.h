@@ -41,6 +41,9 @@ public:
     void saveLayout();
     /// A route, and what is chosen, by the words of the command line (an id, a name, a number).
     void showRoute(const QString& from, const QString& to);
+    /// Lets the user choose the place of a landmark that is like this one, on the map that is open or on the
+    /// next one.
+    void placeLandmark(const building::Landmark& like);
     bool settled() const; ///< nothing is being loaded, planned or checked
 
     MapDocument& document() { return m_document; }
@@ -80,6 +83,7 @@ private:
     void print();
     void startPlacing(bool landmark);
     void placed(Point2 at);
+    void landmarkPlaced(Point2 at);
     void editSelected();
     void removeSelected();
     void moveSelected(const MapHit& hit, Point2 by, bool byKey);
@@ -106,6 +110,8 @@ private:
     RoutePanel* m_route;
     bool m_placeLandmark = false;
     Kind m_lastKind = Kind::Sign;
+    std::optional<building::Landmark> m_like; ///< what the landmark to be placed is like
+    bool m_placeWhenOpen = false;
     std::function<void()> m_afterSave;
     bool m_linking = false;  ///< table and plan tell each other
     bool m_marking = false;  ///< the marks are being worked out

@@ -9,6 +9,7 @@
 #include "ui/curation/plan_print.h"
 #include "ui/curation/report_panel.h"
 #include "ui/curation/route_panel.h"
+#include "ui/parts/banner.h"
 
 #include <QAction>
 #include <QDir>
@@ -57,6 +58,15 @@ void MapPage::showEdited(const building::Edit& edit) {
     refreshActions();
 }
 
+void MapPage::placeLandmark(const building::Landmark& like) {
+    m_like = like;
+    m_placeWhenOpen = m_document.building() == nullptr;
+    if (!m_placeWhenOpen) return startPlacing(true);
+    m_banners->show(QStringLiteral("place"),
+                    {BannerKind::Note, tr("Open the map on which the landmark shall stand."),
+                     tr("&Open map…"), [this] { chooseMap(); }, true});
+}
+
 void MapPage::startPlacing(bool landmark) {
     m_placeLandmark = landmark;
     MapView& view = m_plan->view();
@@ -73,22 +83,32 @@ void MapPage::placed(Point2 at) {
     view.setTool(MapView::Tool::Move);
     m_plan->tell({});
     const auto& building = m_document.building();
-    if (m_placeLandmark) {
-        auto* form = new LandmarkDialog(building,
-                                        building::newLandmark(*building, m_lastKind, at, view.level()), this);
-        form->setAttribute(Qt::WA_DeleteOnClose);
-        connect(form, &QDialog::accepted, this, [this, form] {
-            const building::Landmark landmark = form->landmark();
-            m_lastKind = landmark.kind;
-            m_document.push(building::insertion(*m_document.building(), landmark), tr("Add a landmark"));
-        });
-        return form->open();
-    }
+    if (m_placeLandmark) return landmarkPlaced(at);
     auto* form = new AccessDialog(
         building, building::newAccess(*building, building::AccessKind::Door, at, view.level()), this);
     form->setAttribute(Qt::WA_DeleteOnClose);
     connect(form, &QDialog::accepted, this, [this, form] {
         m_document.push(building::insertion(*m_document.building(), form->access()), tr("Add a door"));
+    });
+    form->open();
+}
+
+void MapPage::landmarkPlaced(Point2 at) {
+    const auto& building = m_document.building();
+    building::Landmark fresh =
+        building::newLandmark(*building, m_like ? m_like->kind : m_lastKind, at, m_plan->view().level());
+    if (m_like) {
+        fresh.templateId = m_like->templateId;
+        fresh.widthM = m_like->widthM;
+        fresh.tallM = m_like->tallM;
+    }
+    m_like.reset();
+    auto* form = new LandmarkDialog(building, fresh, this);
+    form->setAttribute(Qt::WA_DeleteOnClose);
+    connect(form, &QDialog::accepted, this, [this, form] {
+        const building::Landmark landmark = form->landmark();
+        m_lastKind = landmark.kind;
+        m_document.push(building::insertion(*m_document.building(), landmark), tr("Add a landmark"));
     });
     form->open();
 }

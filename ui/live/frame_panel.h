@@ -2,7 +2,7 @@
 // The picture and, below it, when it was taken and how long Farol took to understand it.
 
 #include "core/session/percept.h"
-#include "ui/live/frame_view.h"
+#include "ui/parts/frame_view.h"
 
 #include <QWidget>
 

@@ -35,6 +35,7 @@ public:
     explicit Walk(OpenSource open = {}, QObject* parent = nullptr);
     ~Walk() override; ///< stops and waits; what is still loading is waited for and dropped
 
+    const OpenSource& opener() const { return m_openSource; }
     void loadMap(const QString& path);
     void loadLibrary(const QString& path);
     void dropLibrary();

@@ -14,6 +14,7 @@
 #include "ui/main_window/window_actions.h"
 #include "ui/parts/banner.h"
 #include "ui/parts/place_chooser.h"
+#include "ui/training/training_actions.h"
 
 #include <QAction>
 #include <QApplication>
@@ -30,6 +31,7 @@
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QProgressBar>
+#include <QPushButton>
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QTabBar>
@@ -64,12 +66,15 @@ MainWindow::MainWindow(Settings& settings, Walk::OpenSource open, SpeechDesk::Ma
       m_demo(new Demo(m_walk, m_simulated, this)),
       m_demoBar(new DemoBar(*this, *m_demo)),
       m_localisers(new LocaliserMenu(m_walk, settings, this)),
+      m_trainingPage(new TrainingPage(
+          settings, QDir(settings.workFolder()).filePath(QStringLiteral("teaching")), m_walk.opener(), this)),
       m_pages(new QStackedWidget(this)),
       m_pageTabs(new QTabBar(this)),
       m_status(new QLabel(this)),
       m_busy(new QProgressBar(this)) {
     m_pages->addWidget(m_page);
     m_pages->addWidget(m_mapPage);
+    m_pages->addWidget(m_trainingPage);
     setCentralWidget(m_pages);
     m_status->setTextFormat(Qt::PlainText);
     m_busy->setRange(0, 0);
@@ -89,6 +94,8 @@ MainWindow::MainWindow(Settings& settings, Walk::OpenSource open, SpeechDesk::Ma
     connectNews();
     connectPages();
     connectDemo();
+    connectTraining();
+    showPage(Page::Walk);
     m_walk.setVerbosity(settings.verbosity());
     m_walk.setRecordFolder([this] { return nextRecording(); });
     const int speed = m_actions->speed->findData(settings.speed());
@@ -116,7 +123,9 @@ void MainWindow::connectFile() {
     connect(a.quit, &QAction::triggered, this, &QWidget::close);
     connect(a.settings, &QAction::triggered, this, [this] { SettingsDialog(m_settings, this).exec(); });
     connect(a.keys, &QAction::triggered, this, [this] {
-        KeysDialog(m_actions->withKeys() + m_demoBar->withKeys() + m_mapPage->actions().withKeys(), this)
+        KeysDialog(m_actions->withKeys() + m_demoBar->withKeys() + m_mapPage->actions().withKeys() +
+                       m_trainingPage->actions().withKeys(),
+                   this)
             .exec();
     });
     connect(a.about, &QAction::triggered, this, [this] {
@@ -185,26 +194,6 @@ void MainWindow::connectView() {
     connect(a.previousPane, &QAction::triggered, this, [this] { movePane(-1); });
 }
 
-void MainWindow::connectPages() {
-    const WindowActions& a = *m_actions;
-    m_actions->addPageMenu(m_mapPage->actions().menu());
-    m_pageTabs->setDocumentMode(true);
-    m_pageTabs->setDrawBase(false);
-    m_pageTabs->setExpanding(false);
-    m_pageTabs->addTab(QString());
-    m_pageTabs->addTab(QString());
-    menuBar()->setCornerWidget(m_pageTabs);
-    connect(m_pageTabs, &QTabBar::currentChanged, this, [this](int tab) { showMap(tab == 1); });
-    connect(a.walkPage, &QAction::triggered, this, [this] { showMap(false); });
-    connect(a.mapPage, &QAction::triggered, this, [this] { showMap(true); });
-    connect(m_mapPage, &MapPage::walkWanted, this, [this](const QString& path) {
-        showMap(false);
-        m_walk.loadMap(path);
-    });
-    connect(m_mapPage, &MapPage::documentChanged, this, &MainWindow::retranslate);
-    showMap(false);
-}
-
 void MainWindow::connectDemo() {
     m_actions->addPageMenu(m_demoBar->menu());
     m_actions->addToWalkMenu(*m_localisers);
@@ -223,30 +212,6 @@ void MainWindow::connectDemo() {
         m_page->mapPanel().setTruth(place);
     });
     connect(&m_settings, &Settings::languageChanged, this, tell);
-}
-
-bool MainWindow::showsMap() const {
-    return m_pages->currentWidget() == m_mapPage;
-}
-
-MapView& MainWindow::shownMap() {
-    return showsMap() ? m_mapPage->plan().view() : m_page->mapPanel().view();
-}
-
-void MainWindow::showMap(bool shown) {
-    const bool changed = shown != showsMap();
-    m_pages->setCurrentIndex(shown ? 1 : 0);
-    m_pageTabs->setCurrentIndex(shown ? 1 : 0);
-    m_actions->showWalk(!shown);
-    m_demoBar->setPageShown(!shown);
-    m_mapPage->actions().menu().menuAction()->setVisible(shown);
-    if (shown && changed) {
-        m_mapPage->firstFocus()->setFocus(Qt::OtherFocusReason);
-        const MapDocument& document = m_mapPage->document();
-        const bool empty = !document.building() && document.work() == MapDocument::Work::None;
-        if (empty && !m_walk.mapName().isEmpty()) m_mapPage->open(m_walk.mapName());
-    }
-    retranslate();
 }
 
 void MainWindow::connectNews() {
@@ -399,6 +364,7 @@ void MainWindow::movePane(int by) {
                                 &m_page->framePanel().view(), &m_page->mapPanel().view()};
     for (QWidget* table : m_page->tables()) panes.push_back(table);
     if (showsMap()) panes = m_mapPage->panes();
+    if (shownPage() == Page::Landmarks) panes = m_trainingPage->panes();
     int at = by > 0 ? -1 : 0;
     for (std::size_t i = 0; i < panes.size(); ++i)
         if (panes[i]->hasFocus()) at = static_cast<int>(i);
@@ -422,8 +388,12 @@ void MainWindow::fillRecent() {
         else
             m_walk.loadMap(item);
     });
-    fill(m_actions->recentLibraries, RecentKind::Library,
-         [this](const QString& item) { m_walk.loadLibrary(item); });
+    fill(m_actions->recentLibraries, RecentKind::Library, [this](const QString& item) {
+        if (shownPage() == Page::Landmarks)
+            m_trainingPage->open(item);
+        else
+            m_walk.loadLibrary(item);
+    });
     fill(m_actions->recentSources, RecentKind::Source, [this](const QString& item) {
         m_walk.setSource({item, 0.0});
     });
@@ -438,6 +408,7 @@ void MainWindow::chooseMap() {
 }
 
 void MainWindow::chooseLibrary() {
+    if (shownPage() == Page::Landmarks) return m_trainingPage->chooseLibrary();
     const QString file = QFileDialog::getOpenFileName(
         this, tr("Open a landmark library"), QFileInfo(m_walk.libraryName()).path(),
         tr("Landmark libraries (%1);;All files (%2)").arg(QStringLiteral("*.gpkg"), QStringLiteral("*")));
@@ -455,7 +426,11 @@ QString MainWindow::title() const {
         const QString name = toQString(building->data().title);
         return tr("%1 – Farol").arg(name.isEmpty() ? QFileInfo(file).fileName() : name);
     };
-    if (!showsMap()) return of(m_walk.building(), m_walk.mapName());
+    if (shownPage() == Page::Walk) return of(m_walk.building(), m_walk.mapName());
+    if (shownPage() == Page::Landmarks) {
+        const QString file = QFileInfo(m_trainingPage->document().path()).fileName();
+        return file.isEmpty() ? tr("Farol") : tr("%1 – Farol").arg(file);
+    }
     const MapDocument& document = m_mapPage->document();
     // The mark of unsaved changes that every desktop uses.
     return of(document.building(), document.source()) + QStringLiteral("[*]");
@@ -466,8 +441,9 @@ void MainWindow::retranslate() {
     setWindowModified(showsMap() && m_mapPage->document().unsaved());
     m_pageTabs->setTabText(0, tr("Walk"));
     m_pageTabs->setTabText(1, tr("Map"));
+    m_pageTabs->setTabText(2, tr("Landmarks"));
     m_pageTabs->setAccessibleName(tr("Pages"));
-    m_pageTabs->setToolTip(tr("Watch a walk, or work on a map (Ctrl+1, Ctrl+2)"));
+    m_pageTabs->setToolTip(tr("Watch a walk, work on a map, or teach landmarks (Ctrl+1 to Ctrl+3)"));
     m_actions->closeLibrary->setEnabled(!m_walk.libraryName().isEmpty());
     const bool portuguese = installedLanguage() == QLatin1String("pt");
     (portuguese ? m_actions->portuguese : m_actions->english)->setChecked(true);
@@ -496,10 +472,12 @@ void MainWindow::closeEvent(QCloseEvent* event) {
         });
         return;
     }
+    if (!m_leaving && !mayLeave()) return event->ignore();
     m_leaving = false;
     m_settings.setWindowGeometry(saveGeometry());
     m_page->saveLayout();
     m_mapPage->saveLayout();
+    m_trainingPage->saveLayout();
     m_settings.sync();
     m_walk.stop();
     QMainWindow::closeEvent(event);

@@ -7,7 +7,9 @@
 #include "ui/live/speech_desk.h"
 #include "ui/live/walk.h"
 #include "ui/main_window/start_options.h"
+#include "ui/main_window/window_actions.h"
 #include "ui/settings/settings.h"
+#include "ui/training/training_page.h"
 
 #include <QMainWindow>
 
@@ -21,7 +23,6 @@ namespace farol::ui {
 class DemoBar;
 class LocaliserMenu;
 class MapView;
-class WindowActions;
 
 class MainWindow : public QMainWindow {
     Q_OBJECT
@@ -40,8 +41,11 @@ public:
     LivePage& page() { return *m_page; }
     MapPage& mapPage() { return *m_mapPage; }
     Demo& demo() { return *m_demo; }
-    bool showsMap() const; ///< the Map page rather than the Walk page
-    void showMap(bool shown);
+    TrainingPage& trainingPage() { return *m_trainingPage; }
+    Page shownPage() const;
+    void showPage(Page page);
+    bool showsMap() const { return shownPage() == Page::Map; }
+    void showMap(bool shown) { showPage(shown ? Page::Map : Page::Walk); }
     WindowActions& actions() { return *m_actions; }
 
 protected:
@@ -56,7 +60,9 @@ private:
     void connectNews();
     void connectPages();
     void connectDemo();
+    void connectTraining();
     MapView& shownMap();
+    bool mayLeave();
     void showState(session::RunState state);
     void showProblem(Problem kind, const QString& message);
     void toggleRecording(bool on);
@@ -81,6 +87,7 @@ private:
     Demo* m_demo; ///< after the page, which must know a map before places in it are chosen
     DemoBar* m_demoBar;
     LocaliserMenu* m_localisers;
+    TrainingPage* m_trainingPage;
     QStackedWidget* m_pages;
     QTabBar* m_pageTabs;
     QLabel* m_status;

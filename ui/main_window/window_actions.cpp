@@ -84,9 +84,11 @@ void WindowActions::buildMenus() {
     m_view = bar->addMenu(QString());
     walkPage = add(m_view, {Qt::CTRL | Qt::Key_1}, true);
     mapPage = add(m_view, {Qt::CTRL | Qt::Key_2}, true);
+    landmarksPage = add(m_view, {Qt::CTRL | Qt::Key_3}, true);
     auto* pages = new QActionGroup(this);
     pages->addAction(walkPage);
     pages->addAction(mapPage);
+    pages->addAction(landmarksPage);
     walkPage->setChecked(true);
     m_view->addSeparator();
     fitMap = add(m_view, {Qt::CTRL | Qt::Key_0});
@@ -166,13 +168,15 @@ void WindowActions::addToWalkMenu(QMenu& menu) {
     m_walk->addMenu(&menu);
 }
 
-void WindowActions::showWalk(bool shown) {
+void WindowActions::showPage(Page page) {
+    const bool shown = page == Page::Walk;
     m_bar->setVisible(shown);
     // Their keys belong to the page that is shown.
     for (QAction* action : {follow, grid, rejected, destination, start, noDestination, openSource}) {
         action->setEnabled(shown);
     }
-    (shown ? walkPage : mapPage)->setChecked(true);
+    for (QAction* action : {fitMap, zoomIn, zoomOut}) action->setEnabled(page != Page::Landmarks);
+    (page == Page::Walk ? walkPage : page == Page::Map ? mapPage : landmarksPage)->setChecked(true);
 }
 
 bool WindowActions::eventFilter(QObject* watched, QEvent* event) {
@@ -233,6 +237,8 @@ void WindowActions::retranslate() {
 
     name(walkPage, tr("Wal&k page"), tr("Walk"), tr("Watch a walk"));
     name(mapPage, tr("&Map page"), tr("Map"), tr("Look at the map of a building, check it and change it"));
+    name(landmarksPage, tr("Landmark&s page"), tr("Landmarks"),
+         tr("Teach Farol landmarks, check them and change them"));
     name(fitMap, tr("&Whole floor"), tr("Whole floor"), tr("Show the whole floor"));
     name(zoomIn, tr("&Larger map"), tr("Larger"), tr("Show the map larger"));
     name(zoomOut, tr("&Smaller map"), tr("Smaller"), tr("Show the map smaller"));

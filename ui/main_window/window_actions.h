@@ -18,6 +18,9 @@ class QToolBar;
 
 namespace farol::ui {
 
+/// In the order of the tabs.
+enum class Page { Walk, Map, Landmarks };
+
 class WindowActions : public QObject {
     Q_OBJECT
 
@@ -27,7 +30,7 @@ public:
     QAction *openMap, *openLibrary, *closeLibrary, *openSource, *settings, *quit;
     QAction *play, *step, *stop, *record, *faster, *slower;
     QAction *destination, *start, *noDestination, *repeat, *mute;
-    QAction *walkPage, *mapPage;
+    QAction *walkPage, *mapPage, *landmarksPage;
     QAction *grid, *rejected, *follow, *fitMap, *zoomIn, *zoomOut, *nextPane, *previousPane;
     QAction *english, *portuguese, *keys, *about;
     QMenu *recentMaps, *recentLibraries, *recentSources;
@@ -39,7 +42,7 @@ public:
     void addPageMenu(QMenu& menu);
     void addToWalkMenu(QMenu& menu);
     /// The tool bar, and what makes no sense while another page is shown, follow the page.
-    void showWalk(bool shown);
+    void showPage(Page page);
     /// All with a key of their own, for the list of keys.
     QList<QAction*> withKeys() const;
 

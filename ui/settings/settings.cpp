@@ -1,6 +1,7 @@
 #include "ui/settings/settings.h"
 
 #include <QDir>
+#include <QFileInfo>
 #include <QStandardPaths>
 
 #include <algorithm>
@@ -66,7 +67,8 @@ Settings::Settings(const QString& file, QObject* parent)
     : QObject(parent),
       m_store(file.isEmpty() ? std::make_unique<QSettings>(QSettings::IniFormat, QSettings::UserScope,
                                                            QStringLiteral("farol"), QStringLiteral("farol"))
-                             : std::make_unique<QSettings>(file, QSettings::IniFormat)) {}
+                             : std::make_unique<QSettings>(file, QSettings::IniFormat)),
+      m_own(file.isEmpty()) {}
 
 template <class T>
 bool Settings::store(const QString& key, const T& value) {
@@ -217,6 +219,12 @@ void Settings::addRecent(RecentKind kind, const QString& item) {
 void Settings::clearRecent(RecentKind kind) {
     m_store->remove(recentKey(kind));
     Q_EMIT recentChanged();
+}
+
+QString Settings::workFolder() const {
+    if (!m_own) return QFileInfo(m_store->fileName()).absolutePath();
+    return QDir(QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation))
+        .filePath(QStringLiteral("farol"));
 }
 
 QByteArray Settings::windowGeometry() const {

@@ -64,6 +64,8 @@ public:
     void addRecent(RecentKind kind, const QString& item);
     void clearRecent(RecentKind kind);
 
+    /// Where unfinished work is kept: with the user's own data, or beside a settings file that was given.
+    QString workFolder() const;
     QByteArray windowGeometry() const;
     void setWindowGeometry(const QByteArray& geometry);
     QByteArray splitter(const QString& name) const;
@@ -83,6 +85,7 @@ private:
     bool store(const QString& key, const T& value);
 
     std::unique_ptr<QSettings> m_store;
+    bool m_own = true; ///< the user's own settings
 };
 
 } // namespace farol::ui

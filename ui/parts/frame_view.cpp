@@ -1,4 +1,4 @@
-#include "ui/live/frame_view.h"
+#include "ui/parts/frame_view.h"
 
 #include "ui/convert/convert.h"
 #include "ui/convert/kind_style.h"

@@ -54,6 +54,11 @@ constexpr double kActSeconds = 4.0, kPrepareSeconds = 6.0, kStartSeconds = 15.0,
 constexpr double kFacingM = 1.0;
 /// Below, the user faces the way well enough to just walk.
 constexpr Radians kTurnFirst = fromDegrees(60.0);
+/// So near to what one came through by mistake one has not turned yet.
+constexpr double kBackM = 3.0;
+/// Who has been told nothing since a place was entered, and does not get on, waits for a word; who does not
+/// get on is told again, less and less often.
+constexpr double kUntoldSeconds = 5.0, kSeldomSeconds = 60.0;
 
 bool changesLevel(ManoeuvreKind kind) {
     return kind == ManoeuvreKind::Stairs || kind == ManoeuvreKind::Elevator ||
@@ -171,6 +176,10 @@ std::optional<Radians> CueStep::facing() const {
 
 /// How far the user has to turn to face the way that begins here.
 std::optional<Radians> CueStep::turnFirst() const {
+    // Who has just come through a door has it behind.
+    bool behind = m_progress.backAgain && m_sure && age() <= kFreshSeconds && m_progress.distanceM &&
+                  *m_progress.distanceM <= kBackM && m_fix.sigmaM <= m_options.maxSigmaForActM;
+    if (behind) return Radians{kPi};
     std::optional<Radians> now = facing();
     if (!now || !m_fix.position || !m_progress.route) return std::nullopt;
     const std::vector<routing::PathPoint>& path = m_progress.route->path;
@@ -303,6 +312,7 @@ void CueStep::tellRoute() {
         m_memory.advance.reset();
         m_memory.startedAt.reset();
         m_memory.facesWay = false;
+        m_memory.repeats = 0;
     }
     switch (m_progress.travel) {
     case Travel::NoDestination:
@@ -416,11 +426,35 @@ void CueStep::tellManoeuvre() {
         m_memory.facesWay = onward && before != nullptr && before->level == m_fix.level;
         m_memory.regionIndex = m_progress.regionsPassed;
         m_memory.enteredAt = m_fix.time;
+        m_memory.repeats = 0;
     }
-    if (!m_progress.distanceM) {
+    if (m_progress.distanceM)
+        tellMeasured(next);
+    else
         tellUnmeasured(next);
-        return;
-    }
+    if (!m_routeTold) tellAgain(next);
+}
+
+/// Silence is an answer to nobody who stands and waits.
+void CueStep::tellAgain(const Manoeuvre& next) {
+    const auto& advance = m_memory.advance;
+    bool getsOn = advance && advance->along && m_fix.time - advance->evidenceTime <= 2.0 * kStandingSeconds;
+    if (getsOn) m_memory.repeats = 0;
+    bool climbs = changesLevel(next.kind) && toldRecently(m_memory.told, keyOf(next), kOnStairsSeconds);
+    bool passed = next.kind == ManoeuvreKind::Turn && !m_progress.distanceM; // or will be felt
+    if (getsOn || climbs || passed) return;
+    double wait = std::min(kSeldomSeconds, std::ldexp(m_options.repeatAfterSeconds, m_memory.repeats));
+    if (!m_memory.told.contains(keyOf(next))) wait = kUntoldSeconds;
+    double since = std::max(m_memory.enteredAt, m_memory.routeToldAt.value_or(m_memory.enteredAt));
+    if (m_fix.time - since < wait) return;
+    ++m_memory.repeats;
+    Cue cue = routeCue(CueKind::Prepare, CuePriority::Prepare, kPrepareSeconds);
+    if (distanceIsGood()) cue.distanceM = m_progress.distanceM;
+    cue.hour = hourTo(next);
+    addManoeuvre(std::move(cue), next, m_progress.afterNext);
+}
+
+void CueStep::tellMeasured(const Manoeuvre& next) {
     double measured = *m_progress.distanceM;
     double expected = std::max(0.0, measured - kWalkingSpeed * age());
     std::string key = keyOf(next);

@@ -48,6 +48,7 @@ struct SchedulerMemory {
     };
     Candidate candidate;
     std::map<std::string, double> objectsToldAt;
+    int repeats = 0;       ///< of the same order to somebody who does not get on
     bool facesWay = false; ///< seen to walk along the present route, or come through one of its accesses
     bool known = false;    ///< the place was known with confidence
     std::optional<double> chimedAt;
@@ -87,7 +88,9 @@ private:
     void tellStart();
     void tellOffRoute();
     void tellManoeuvre();
+    void tellMeasured(const routing::Manoeuvre& next);
     void tellUnmeasured(const routing::Manoeuvre& next);
+    void tellAgain(const routing::Manoeuvre& next);
     void tellReassurance(double aheadM);
     void followAdvance();
     Cue cueOf(CueKind kind, CuePriority priority, double seconds) const;

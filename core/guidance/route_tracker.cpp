@@ -38,6 +38,23 @@ constexpr double kStepM = 0.3;      // of a walker, between two observations tha
 constexpr double kDirectionM = 1.0; // from so far on a displacement has a direction
 constexpr int kObservationsAstray = 2;
 
+/// Does the way begin with the only access between where one is and where one was?
+bool leadsBack(const building::Building& building, const Route& route, const RegionId& before) {
+    if (route.accesses.empty() || route.regions.size() < 2 || route.regions[1] != before) return false;
+    auto here = building.regionIndex(route.regions[0]), there = building.regionIndex(before);
+    if (!here || !there) return false;
+    int ways = 0;
+    for (std::size_t access : building.accessesOf(*here)) {
+        const building::Access& each = building.accesses()[access];
+        bool passable = each.kind != building::AccessKind::Window;
+        ways += passable && building.otherSide(each, *here) == there ? 1 : 0;
+    }
+    const building::Access* first = building.access(route.accesses.front());
+    bool level = first != nullptr &&
+                 (first->kind == building::AccessKind::Door || first->kind == building::AccessKind::Opening);
+    return ways == 1 && level;
+}
+
 } // namespace
 
 std::string travelName(Travel travel) {
@@ -98,6 +115,7 @@ Progress RouteTracker::update(const Fix& fix) {
     m_progress.replanned = false;
     m_progress.deviation = Deviation::LeftRoute;
     m_progress.walking.reset();
+    m_progress.backAgain = false;
     m_progress.distanceM.reset();
     m_progress.remainingM.reset();
     if (!m_destination) return m_progress;
@@ -150,8 +168,10 @@ void RouteTracker::follow(const Fix& fix) {
     if ((!index || jumps || arrives) && !believed(fix)) {
         if (m_progress.travel != Travel::Arrived) m_progress.travel = Travel::OnRoute;
     } else if (!index) {
+        RegionId before = m_progress.route->regions[m_progress.regionsPassed];
         plan(fix);
         m_progress.replanned = true;
+        m_progress.backAgain = m_progress.route && leadsBack(*m_building, *m_progress.route, before);
         if (m_progress.travel == Travel::OnRoute) m_progress.travel = Travel::OffRoute;
     } else {
         settle();
@@ -289,7 +309,10 @@ std::optional<Deviation> RouteTracker::straying(const Fix& fix) {
     if (!foot) return std::nullopt;
     double walked = m_progress.route->manoeuvres[*exit].atM - foot->toEndM;
     double limit = std::max(kAstrayM, kSigmasAstray * fix.sigmaM);
+    // Positions that come many times a second are a step apart only after some of them.
     bool moved = !m_trail.last || distance(*m_trail.last, *fix.position) >= kStepM;
+    m_trail.evidenceTime = fix.evidenceTime;
+    if (!moved) return std::nullopt;
     bool back = walked < m_trail.farthestM - limit;
     bool away = foot->gapM >= limit && foot->gapM > m_trail.gapM && (foot->atEntry || foot->atCorner);
     m_trail.farthestM = std::max(m_trail.farthestM, walked);
@@ -297,10 +320,9 @@ std::optional<Deviation> RouteTracker::straying(const Fix& fix) {
         m_trail.farthestM <= walked + kStepM)
         m_trail.walkedFrom = fix.position;
     if (!m_trail.walkedFrom) m_trail.walkedFrom = fix.position;
-    m_trail.evidenceTime = fix.evidenceTime;
     m_trail.gapM = foot->gapM;
     m_trail.last = fix.position;
-    m_trail.astray = (back || away) && moved ? m_trail.astray + 1 : back || away ? m_trail.astray : 0;
+    m_trail.astray = back || away ? m_trail.astray + 1 : 0;
     if (m_trail.astray < kObservationsAstray) return std::nullopt;
     return back || foot->atEntry ? Deviation::WrongWay : Deviation::Missed;
 }

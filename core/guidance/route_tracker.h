@@ -22,7 +22,8 @@ struct Progress {
     bool replanned = false;                     ///< in this very step, because the route was left
     Deviation deviation = Deviation::LeftRoute; ///< of `replanned`: how
     std::optional<Radians> walking; ///< of `replanned`: the way of walking that was seen to be wrong
-    std::string reason;             ///< why there is no route
+    bool backAgain = false; ///< of `replanned`: the new way begins with what one has just come through
+    std::string reason;     ///< why there is no route
 };
 
 std::string travelName(Travel travel);

@@ -87,6 +87,74 @@ TEST(Straying, TheWrongWayFromTheStartIsToldAndTurnedRound) {
     EXPECT_EQ(walk.offRoute()->manoeuvre->access.value, "B-K");
 }
 
+TEST(Straying, PositionsManyTimesASecondProveAsMuch) {
+    Walked walk;
+    walk.secondsBetween = 0.0;
+    walk.tracker.setDestination(at("B"));
+    Point2 from = *walk.map.spot('b').position, to = *walk.map.spot('f').position;
+    for (int i = 0; i <= 60; ++i) {
+        walk.fix = {};
+        walk.time += 0.2;
+        walk.fix.time = walk.fix.evidenceTime = walk.time;
+        walk.fix.region = RegionId("K");
+        walk.fix.confidence = 0.9;
+        walk.fix.level = 0.0;
+        walk.fix.position = from + (to - from) * (i / 60.0);
+        walk.fix.sigmaM = 0.5;
+        walk.progress = walk.tracker.update(walk.fix);
+        walk.cues = walk.scheduler.update(++walk.frame, walk.fix, walk.progress, {});
+        walk.all.insert(walk.all.end(), walk.cues.begin(), walk.cues.end());
+    }
+    ASSERT_NE(walk.offRoute(), nullptr);
+    EXPECT_EQ(walk.offRoute()->deviation, Deviation::WrongWay);
+}
+
+TEST(Straying, WhoCameThroughAWrongDoorIsTurnedRound) {
+    Walked walk;
+    walk.tracker.setDestination(at("C"));
+    walk.walk("789");
+    const building::Access* access = walk.building->access(AccessId("B-K"));
+    ASSERT_NE(access, nullptr);
+    Point2 door = access->midpoint();
+    for (int i = 0; i < 3; ++i) {
+        walk.time += 1.0;
+        walk.fix.time = walk.fix.evidenceTime = walk.time;
+        walk.fix.region = RegionId("B");
+        walk.fix.position = Point2{door.x, door.y + 0.8};
+        walk.fix.sigmaM = 0.6;
+        walk.fix.confidence = 0.95;
+        walk.progress = walk.tracker.update(walk.fix);
+        walk.cues = walk.scheduler.update(++walk.frame, walk.fix, walk.progress, {});
+        walk.all.insert(walk.all.end(), walk.cues.begin(), walk.cues.end());
+    }
+    ASSERT_NE(walk.offRoute(), nullptr);
+    EXPECT_EQ(walk.offRoute()->manoeuvre->access.value, "B-K");
+    ASSERT_TRUE(walk.offRoute()->turnFirst);
+    EXPECT_NEAR(std::abs(toDegrees(*walk.offRoute()->turnFirst)), 180.0, 1e-9);
+}
+
+TEST(Straying, WhoStandsAndWaitsIsToldAgainAndLessAndLess) {
+    Walked walk;
+    walk.tracker.setDestination(at("C"));
+    walk.walk("1");
+    std::vector<double> told;
+    for (int i = 0; i < 200; ++i) {
+        walk.time += 1.0;
+        walk.fix.time = walk.fix.evidenceTime = walk.time;
+        walk.progress = walk.tracker.update(walk.fix);
+        for (const Cue& cue : walk.scheduler.update(++walk.frame, walk.fix, walk.progress, {}))
+            if (cue.kind == CueKind::Prepare) told.push_back(walk.time);
+    }
+    ASSERT_GE(told.size(), 3U);
+    EXPECT_LE(told.size(), 6U) << "nobody wants to hear the same thing every few seconds";
+    EXPECT_LE(told[0], 20.0);
+    for (std::size_t i = 2; i < told.size(); ++i)
+        EXPECT_GE(told[i] - told[i - 1], told[i - 1] - told[i - 2] - 1.1);
+    walk.all.clear();
+    walk.walk("3456");
+    for (const Cue& cue : walk.all) EXPECT_NE(cue.kind, CueKind::Prepare) << "who gets on is left in peace";
+}
+
 TEST(Straying, TurningBackOnTheWayIsTold) {
     Walked walk;
     walk.tracker.setDestination(at("C"));

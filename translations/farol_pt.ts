@@ -1815,6 +1815,14 @@ Abra uma câmara, um vídeo ou uma pasta de imagens e depois prima Reproduzir.</
         <source>Lists</source>
         <translation>Listas</translation>
     </message>
+    <message>
+        <source>Why there</source>
+        <translation>Porquê ali</translation>
+    </message>
+    <message>
+        <source>What the vote of the chosen place is made of, and what speaks for it</source>
+        <translation>De que é feito o voto do lugar escolhido, e o que fala por ele</translation>
+    </message>
 </context>
 <context>
     <name>farol::ui::LocaliserMenu</name>
@@ -1996,6 +2004,58 @@ Guia uma pessoa cega por um edifício com uma câmara comum: reconhece o que lhe
     <message>
         <source>&amp;Stay</source>
         <translation>&amp;Ficar</translation>
+    </message>
+    <message>
+        <source>Saved in %1</source>
+        <translation>Guardado em %1</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written. Choose another folder.</source>
+        <translation>Não é possível escrever %1. Escolha outra pasta.</translation>
+    </message>
+    <message>
+        <source>There is no walk to correct.</source>
+        <translation>Não há percurso para corrigir.</translation>
+    </message>
+    <message>
+        <source>Choose a place on the map, or in the list “Where it could be”, first.</source>
+        <translation>Escolha primeiro um lugar no mapa, ou na lista “Onde pode ser”.</translation>
+    </message>
+    <message>
+        <source>The user is in %1: told by you.</source>
+        <translation>O utilizador está em %1: indicado por si.</translation>
+    </message>
+    <message>
+        <source>The place is given up and looked for anew.</source>
+        <translation>O lugar é abandonado e procurado de novo.</translation>
+    </message>
+    <message>
+        <source>Say this</source>
+        <translation>Dizer isto</translation>
+    </message>
+    <message>
+        <source>Sentence that is spoken to the user:</source>
+        <translation>Frase a dizer ao utilizador:</translation>
+    </message>
+    <message>
+        <source>&amp;Say it</source>
+        <translation>&amp;Dizer</translation>
+    </message>
+    <message>
+        <source>Save the picture</source>
+        <translation>Guardar a imagem</translation>
+    </message>
+    <message>
+        <source>Pictures (%1)</source>
+        <translation>Imagens (%1)</translation>
+    </message>
+    <message>
+        <source>Save the walk as table</source>
+        <translation>Guardar o percurso como tabela</translation>
+    </message>
+    <message>
+        <source>Tables (%1)</source>
+        <translation>Tabelas (%1)</translation>
     </message>
 </context>
 <context>
@@ -2448,6 +2508,10 @@ Guia uma pessoa cega por um edifício com uma câmara comum: reconhece o que lhe
     <message>
         <source>Taken to be in %1: %2. Really in %3.</source>
         <translation>Suposto em %1: %2. Na verdade em %3.</translation>
+    </message>
+    <message>
+        <source>The user &amp;is here, in %1</source>
+        <translation>O utilizador es&amp;tá aqui, em %1</translation>
     </message>
 </context>
 <context>
@@ -3838,6 +3902,101 @@ Abra um com Ctrl+O.</translation>
     <message>
         <source>Look for what is wrong with the map as it is now (F7)</source>
         <translation>Ver o que está errado no mapa como está agora (F7)</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::RevoteDialog</name>
+    <message>
+        <source>&amp;Compare</source>
+        <translation>&amp;Comparar</translation>
+    </message>
+    <message>
+        <source>Work out a recorded walk anew</source>
+        <translation>Recalcular um percurso gravado</translation>
+    </message>
+    <message>
+        <source>Folder of the recorded walk</source>
+        <translation>Pasta do percurso gravado</translation>
+    </message>
+    <message>
+        <source>Where the recorded walk is kept</source>
+        <translation>Onde está o percurso gravado</translation>
+    </message>
+    <message>
+        <source>&amp;Browse…</source>
+        <translation>&amp;Procurar…</translation>
+    </message>
+    <message>
+        <source>Browse for the recorded walk</source>
+        <translation>Procurar o percurso gravado</translation>
+    </message>
+    <message>
+        <source>Folder of a recorded walk</source>
+        <translation>Pasta de um percurso gravado</translation>
+    </message>
+    <message>
+        <source>How the place is worked out now</source>
+        <translation>Como se calcula agora o lugar</translation>
+    </message>
+    <message>
+        <source>What the recorded walk is worked out with the second time</source>
+        <translation>Com que se calcula o percurso gravado da segunda vez</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Comparar</translation>
+    </message>
+    <message>
+        <source>Work the walk out as it was, and once more with the other choice</source>
+        <translation>Calcular o percurso como foi, e outra vez com a outra escolha</translation>
+    </message>
+    <message>
+        <source>The pictures are not looked at again: what was recognised then is taken, and the place is worked out anew.</source>
+        <translation>As imagens não são vistas de novo: usa-se o que então se reconheceu, e o lugar é recalculado.</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>De</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>Imagens</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Antes</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Agora</translation>
+    </message>
+    <message>
+        <source>Where the two differ</source>
+        <translation>Onde os dois diferem</translation>
+    </message>
+    <message>
+        <source>&amp;Recorded walk:</source>
+        <translation>&amp;Percurso gravado:</translation>
+    </message>
+    <message>
+        <source>&amp;Worked out by:</source>
+        <translation>Calc&amp;ulado por:</translation>
+    </message>
+    <message>
+        <source>Working…</source>
+        <translation>A trabalhar…</translation>
+    </message>
+    <message>
+        <source>%1 before, %2 now. The same place on %3 of %4 pictures (%5 %). Sentences: %6 before, %7 now.</source>
+        <translation>Antes %1, agora %2. O mesmo lugar em %3 de %4 imagens (%5 %). Frases: %6 antes, %7 agora.</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>desconhecido</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
     </message>
 </context>
 <context>
@@ -5446,6 +5605,41 @@ Ligue a câmara, ou escolha imagens ou uma gravação.</translation>
     </message>
 </context>
 <context>
+    <name>farol::ui::TimelineBar</name>
+    <message>
+        <source>T&amp;imeline:</source>
+        <translation>Linha do &amp;tempo:</translation>
+    </message>
+    <message>
+        <source>Timeline</source>
+        <translation>Linha do tempo</translation>
+    </message>
+    <message>
+        <source>How sure the place was, and marks where something was said. Drag it, or use the arrow keys, to look back; End goes back to now.</source>
+        <translation>A certeza do lugar, com marcas onde algo foi dito. Arraste, ou use as setas, para olhar para trás; Fim volta ao presente.</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Agora</translation>
+    </message>
+    <message>
+        <source>Back to now</source>
+        <translation>Voltar ao presente</translation>
+    </message>
+    <message>
+        <source>Show the walk as it is now</source>
+        <translation>Mostrar o percurso como está agora</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 de %2</translation>
+    </message>
+    <message>
+        <source>Looking back at %1</source>
+        <translation>A olhar para trás, em %1</translation>
+    </message>
+</context>
+<context>
     <name>farol::ui::TrainingActions</name>
     <message>
         <source>&amp;Landmarks</source>
@@ -5923,6 +6117,37 @@ Ligue a câmara, ou escolha imagens ou uma gravação.</translation>
     </message>
 </context>
 <context>
+    <name>farol::ui::VoteDetailModel</name>
+    <message>
+        <source>seen at %1</source>
+        <translation>visto em %1</translation>
+    </message>
+    <message>
+        <source>speaks for it</source>
+        <translation>fala por ele</translation>
+    </message>
+    <message>
+        <source>Term</source>
+        <translation>Termo</translation>
+    </message>
+    <message>
+        <source>Figure</source>
+        <translation>Valor</translation>
+    </message>
+    <message>
+        <source>Meaning</source>
+        <translation>Significado</translation>
+    </message>
+    <message>
+        <source>filter</source>
+        <translation>filtro</translation>
+    </message>
+    <message>
+        <source>none of the objects last seen stands there</source>
+        <translation>nenhum dos objetos vistos por último está ali</translation>
+    </message>
+</context>
+<context>
     <name>farol::ui::VoteModel</name>
     <message numerus="yes">
         <source>%n matching object(s)</source>
@@ -6384,6 +6609,78 @@ Ligue a câmara, ou escolha imagens ou uma gravação.</translation>
         <source>Teach Farol landmarks, check them and change them</source>
         <translation>Ensinar pontos de referência ao Farol, verificá-los e mudá-los</translation>
     </message>
+    <message>
+        <source>The user is &amp;here</source>
+        <translation>O utilizador está a&amp;qui</translation>
+    </message>
+    <message>
+        <source>Here</source>
+        <translation>Aqui</translation>
+    </message>
+    <message>
+        <source>The user is in the place that is chosen on the map or in the list</source>
+        <translation>O utilizador está no lugar escolhido no mapa ou na lista</translation>
+    </message>
+    <message>
+        <source>That is &amp;wrong</source>
+        <translation>Está &amp;errado</translation>
+    </message>
+    <message>
+        <source>Wrong</source>
+        <translation>Errado</translation>
+    </message>
+    <message>
+        <source>The place shown is wrong: look for it anew</source>
+        <translation>O lugar mostrado está errado: procurá-lo de novo</translation>
+    </message>
+    <message>
+        <source>&amp;Work out a recorded walk anew…</source>
+        <translation>Recalcular um percurso gra&amp;vado…</translation>
+    </message>
+    <message>
+        <source>Anew</source>
+        <translation>De novo</translation>
+    </message>
+    <message>
+        <source>Compare a recorded walk with the same walk worked out otherwise</source>
+        <translation>Comparar um percurso gravado com o mesmo calculado de outra forma</translation>
+    </message>
+    <message>
+        <source>&amp;Say this…</source>
+        <translation>D&amp;izer isto…</translation>
+    </message>
+    <message>
+        <source>Say</source>
+        <translation>Dizer</translation>
+    </message>
+    <message>
+        <source>Type a sentence that is spoken to the user</source>
+        <translation>Escrever uma frase que é dita ao utilizador</translation>
+    </message>
+    <message>
+        <source>Sa&amp;ve the picture…</source>
+        <translation>&amp;Guardar a imagem…</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Imagem</translation>
+    </message>
+    <message>
+        <source>Save what the camera sees, with what was recognised</source>
+        <translation>Guardar o que a câmara vê, com o que foi reconhecido</translation>
+    </message>
+    <message>
+        <source>Save the walk as &amp;table…</source>
+        <translation>Guardar o percurso como &amp;tabela…</translation>
+    </message>
+    <message>
+        <source>Table</source>
+        <translation>Tabela</translation>
+    </message>
+    <message>
+        <source>Save times, places and sentences of this walk for a spreadsheet</source>
+        <translation>Guardar tempos, lugares e frases deste percurso para uma folha de cálculo</translation>
+    </message>
 </context>
 <context>
     <name>farol::ui::Words</name>
@@ -6614,6 +6911,238 @@ Ligue a câmara, ou escolha imagens ou uma gravação.</translation>
     <message>
         <source>asked for</source>
         <translation>a pedido</translation>
+    </message>
+    <message>
+        <source>does not reach the floor</source>
+        <translation>não chega ao chão</translation>
+    </message>
+    <message>
+        <source>two places look alike</source>
+        <translation>dois lugares parecem iguais</translation>
+    </message>
+    <message>
+        <source>part of the number may be hidden</source>
+        <translation>parte do número pode estar tapada</translation>
+    </message>
+    <message>
+        <source>blurred</source>
+        <translation>desfocado</translation>
+    </message>
+    <message>
+        <source>too many lines for a door</source>
+        <translation>linhas a mais para uma porta</translation>
+    </message>
+    <message>
+        <source>looked at again, it was something else</source>
+        <translation>visto outra vez, era outra coisa</translation>
+    </message>
+    <message>
+        <source>the scene changed</source>
+        <translation>a cena mudou</translation>
+    </message>
+    <message>
+        <source>lines evenly apart, as of a shelf</source>
+        <translation>linhas igualmente afastadas, como numa estante</translation>
+    </message>
+    <message>
+        <source>too few step edges</source>
+        <translation>poucas arestas de degraus</translation>
+    </message>
+    <message>
+        <source>lines, but no steps</source>
+        <translation>linhas, mas não degraus</translation>
+    </message>
+    <message>
+        <source>lines apart as of floor tiles</source>
+        <translation>linhas como as de mosaicos do chão</translation>
+    </message>
+    <message>
+        <source>pictures too far apart to follow it</source>
+        <translation>imagens demasiado afastadas para o seguir</translation>
+    </message>
+    <message>
+        <source>a grid, as of tiles or windows</source>
+        <translation>uma grelha, como de azulejos ou janelas</translation>
+    </message>
+    <message>
+        <source>too high for steps</source>
+        <translation>alto de mais para degraus</translation>
+    </message>
+    <message>
+        <source>impossible size</source>
+        <translation>tamanho impossível</translation>
+    </message>
+    <message>
+        <source>does not move as one thing</source>
+        <translation>não se move como uma só coisa</translation>
+    </message>
+    <message>
+        <source>its sides go on above it</source>
+        <translation>os lados continuam por cima</translation>
+    </message>
+    <message>
+        <source>of a kind that is not looked for</source>
+        <translation>de um tipo que não se procura</translation>
+    </message>
+    <message>
+        <source>told by its trained look instead</source>
+        <translation>dito antes pelo aspeto ensinado</translation>
+    </message>
+    <message>
+        <source>left the picture</source>
+        <translation>saiu da imagem</translation>
+    </message>
+    <message>
+        <source>a line goes across it</source>
+        <translation>uma linha atravessa-o</translation>
+    </message>
+    <message>
+        <source>a line goes up its middle</source>
+        <translation>uma linha sobe-lhe pelo meio</translation>
+    </message>
+    <message>
+        <source>a stroke rather than a letter</source>
+        <translation>um traço, não uma letra</translation>
+    </message>
+    <message>
+        <source>looks different now</source>
+        <translation>agora parece diferente</translation>
+    </message>
+    <message>
+        <source>a letter was missed</source>
+        <translation>falta uma letra</translation>
+    </message>
+    <message>
+        <source>a point was missed</source>
+        <translation>falta um ponto</translation>
+    </message>
+    <message>
+        <source>a space was missed</source>
+        <translation>falta um espaço</translation>
+    </message>
+    <message>
+        <source>reading not sure</source>
+        <translation>leitura incerta</translation>
+    </message>
+    <message>
+        <source>too pale</source>
+        <translation>pouco contraste</translation>
+    </message>
+    <message>
+        <source>too low for stairs</source>
+        <translation>baixo de mais para escadas</translation>
+    </message>
+    <message>
+        <source>not sure enough</source>
+        <translation>certeza insuficiente</translation>
+    </message>
+    <message>
+        <source>seen as in a mirror</source>
+        <translation>visto como num espelho</translation>
+    </message>
+    <message>
+        <source>too narrow</source>
+        <translation>demasiado estreito</translation>
+    </message>
+    <message>
+        <source>only a small part fits</source>
+        <translation>só uma pequena parte condiz</translation>
+    </message>
+    <message>
+        <source>the points fit no outline</source>
+        <translation>os pontos não formam um contorno</translation>
+    </message>
+    <message>
+        <source>no letters</source>
+        <translation>sem letras</translation>
+    </message>
+    <message>
+        <source>readings do not agree yet</source>
+        <translation>as leituras ainda não concordam</translation>
+    </message>
+    <message>
+        <source>outline without numbers</source>
+        <translation>contorno sem números</translation>
+    </message>
+    <message>
+        <source>mostly outside the picture</source>
+        <translation>quase todo fora da imagem</translation>
+    </message>
+    <message>
+        <source>lost from sight</source>
+        <translation>perdido de vista</translation>
+    </message>
+    <message>
+        <source>seen only once so far</source>
+        <translation>visto só uma vez até agora</translation>
+    </message>
+    <message>
+        <source>only a sliver</source>
+        <translation>só uma lasca</translation>
+    </message>
+    <message>
+        <source>too few letters</source>
+        <translation>poucas letras</translation>
+    </message>
+    <message>
+        <source>too small</source>
+        <translation>pequeno de mais</translation>
+    </message>
+    <message>
+        <source>not seen again</source>
+        <translation>não voltou a ser visto</translation>
+    </message>
+    <message>
+        <source>step edges of uneven contrast</source>
+        <translation>arestas de degraus com contraste desigual</translation>
+    </message>
+    <message>
+        <source>step edges unevenly apart</source>
+        <translation>arestas de degraus mal espaçadas</translation>
+    </message>
+    <message>
+        <source>read differently each time</source>
+        <translation>lido de maneira diferente de cada vez</translation>
+    </message>
+    <message>
+        <source>no top of a door frame</source>
+        <translation>sem o cimo de uma moldura de porta</translation>
+    </message>
+    <message>
+        <source>wider above than below</source>
+        <translation>mais largo em cima do que em baixo</translation>
+    </message>
+    <message>
+        <source>in the way of walking</source>
+        <translation>no sentido da marcha</translation>
+    </message>
+    <message>
+        <source>on your level</source>
+        <translation>no seu piso</translation>
+    </message>
+    <message>
+        <source>matching objects</source>
+        <translation>objetos que condizem</translation>
+    </message>
+    <message>
+        <source>matching objects next door</source>
+        <translation>objetos que condizem ao lado</translation>
+    </message>
+    <message>
+        <source>objects seen</source>
+        <translation>objetos vistos</translation>
+    </message>
+    <message>
+        <source>share of the likelihood</source>
+        <translation>parte da probabilidade</translation>
+    </message>
+    <message>
+        <source>could be anywhere</source>
+        <translation>pode ser em qualquer lado</translation>
+    </message>
+    <message>
+        <source>evidence against all of this</source>
+        <translation>indícios contra tudo isto</translation>
     </message>
 </context>
 </TS>

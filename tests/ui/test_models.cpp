@@ -11,6 +11,8 @@
 #include "ui/models/words.h"
 
 #include <QAbstractItemModelTester>
+#include <QFile>
+#include <QRegularExpression>
 #include <QSignalSpy>
 #include <QTest>
 
@@ -23,6 +25,7 @@ class ModelsTest : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
+    void everyRejectionHasWords();
     void historyIsNewestFirst();
     void votesTellPlacesAndReasons();
     void rowsChangeInPlace();
@@ -215,6 +218,36 @@ void ModelsTest::everyReasonHasWords() {
     }
     QVERIFY(Words::sureness(0.9, 0.5) != Words::sureness(0.3, 0.5));
     QVERIFY(Words::sureness(0.3, 0.5) != Words::sureness(0.1, 0.5));
+}
+
+// The reasons are stable words in core's sources: each that stands there must have words of its own here.
+void ModelsTest::everyRejectionHasWords() {
+    const QStringList files{QStringLiteral("core/recognition/door_detector.cpp"),
+                            QStringLiteral("core/recognition/stairs_detector.cpp"),
+                            QStringLiteral("core/recognition/rectangle_detector.cpp"),
+                            QStringLiteral("core/recognition/text_reader.cpp"),
+                            QStringLiteral("core/recognition/object_matcher.cpp"),
+                            QStringLiteral("core/recognition/place_matcher.cpp"),
+                            QStringLiteral("core/recognition/landmark_tracker.cpp"),
+                            QStringLiteral("core/recognition/quad_flow.cpp"),
+                            QStringLiteral("core/recognition/sign_detector.cpp"),
+                            QStringLiteral("core/recognition/network_detector.cpp"),
+                            QStringLiteral("core/session/perception.cpp")};
+    const QRegularExpression word(QStringLiteral("\"([a-z]+(?:_[a-z]+)+)\""));
+    QStringList reasons{QStringLiteral("blurred"),      QStringLiteral("narrow"),
+                        QStringLiteral("grid"),         QStringLiteral("cut"),
+                        QStringLiteral("contradicted"), QStringLiteral("unconfirmed")};
+    for (const QString& name : files) {
+        QFile file(QStringLiteral(FAROL_SOURCE_DIR "/") + name);
+        QVERIFY2(file.open(QIODevice::ReadOnly), qPrintable(name));
+        for (auto found = word.globalMatch(QString::fromUtf8(file.readAll())); found.hasNext();)
+            reasons << found.next().captured(1);
+    }
+    reasons.removeDuplicates();
+    QVERIFY(reasons.size() > 40);
+    for (const QString& reason : reasons) {
+        QVERIFY2(Words::knowsRejection(reason.toStdString()), qPrintable(reason));
+    }
 }
 
 } // namespace farol::ui

@@ -4,6 +4,7 @@
 #include "ui/live/frame_panel.h"
 #include "ui/live/instruction_panel.h"
 #include "ui/live/map_panel.h"
+#include "ui/live/timeline_bar.h"
 #include "ui/parts/banner.h"
 #include "ui/parts/place_chooser.h"
 #include "ui/parts/tables.h"
@@ -62,6 +63,7 @@ void LivePage::build() {
     m_views->addWidget(m_map);
     m_views->setStretchFactor(0, 1);
     m_views->setStretchFactor(1, 1);
+    m_timelineBar = new TimelineBar(m_timeline, this);
     m_halves = new QSplitter(Qt::Vertical, this);
     m_halves->addWidget(m_views);
     m_halves->addWidget(makeTables());
@@ -82,6 +84,7 @@ void LivePage::build() {
     content->addLayout(places);
     content->addWidget(m_instruction);
     content->addWidget(m_halves, 1);
+    content->addWidget(m_timelineBar);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
@@ -101,6 +104,8 @@ QWidget* LivePage::makeTables() {
     m_historyTable = panelTable(&m_history, HistoryModel::Name, m_tabs);
     m_pictureTable = panelTable(&m_detections, DetectionModel::Name, m_tabs);
     m_floorTable = panelTable(&m_floor, FloorModel::Name, m_tabs);
+    m_detailTable = panelTable(&m_detail, VoteDetailModel::Meaning, m_tabs);
+    m_tabs->addTab(m_detailTable, QString());
     m_tabs->addTab(m_historyTable, QString());
     m_tabs->addTab(m_pictureTable, QString());
     m_tabs->addTab(m_floorTable, QString());
@@ -117,10 +122,19 @@ QWidget* LivePage::makeTables() {
 
 void LivePage::connectWalk() {
     connect(&m_walk, &Walk::mapChanged, this, [this] { setBuilding(m_walk.building()); });
-    connect(&m_walk, &Walk::snapshotChanged, this, [this] { show(m_walk.snapshot()); });
+    connect(&m_walk, &Walk::snapshotChanged, this, [this] {
+        if (m_walk.snapshot() && !m_walk.snapshot()->frame.image.empty()) m_timeline.add(*m_walk.snapshot());
+        if (!m_timelineBar->looksBack()) show(m_walk.snapshot());
+    });
+    connect(m_timelineBar, &TimelineBar::wanted, this,
+            [this](const std::shared_ptr<const session::Snapshot>& then) {
+                show(then ? then : m_walk.snapshot());
+            });
     connect(&m_walk, &Walk::walkBegan, this, [this] {
         m_speech.reset();
         m_utterances.clear();
+        m_timeline.clear();
+        m_explained.reset();
         const auto options = session::NavigatorOptions::with(toUtf8(m_walk.localiser()));
         m_map->setSureConfidence(options.guidance.sureConfidence);
         m_framesShown = 0;
@@ -147,6 +161,14 @@ void LivePage::connectViews() {
             [this](const RegionId& region) { m_walk.setDestination(region); });
     connect(m_map, &MapPanel::startWanted, &m_walk,
             [this](const RegionId& region) { m_walk.setStart(region); });
+    connect(m_map, &MapPanel::hereWanted, &m_walk,
+            [this](const RegionId& region) { m_walk.correct(region); });
+    connect(m_voteTable->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
+            [this](const QModelIndex& current) {
+                if (!current.isValid() || !m_voteTable->hasFocus()) return;
+                m_explained = RegionId(toUtf8(current.data(VoteModel::RegionRole).toString()));
+                explainVote();
+            });
     connect(m_map, &MapPanel::followChanged, &m_settings, &Settings::setFollowLevel);
     connect(&m_map->view(), &MapView::levelChanged, this,
             [this](double ordinal) { m_floor.setLevel(ordinal); });
@@ -188,6 +210,7 @@ void LivePage::setBuilding(const std::shared_ptr<const building::Building>& buil
     m_shown.reset();
     m_regions.setBuilding(building);
     m_votes.setBuilding(building);
+    m_detail.setBuilding(building);
     m_floor.setBuilding(building);
     m_instruction->setBuilding(building);
     m_map->setBuilding(building);
@@ -217,7 +240,24 @@ void LivePage::show(const std::shared_ptr<const session::Snapshot>& snapshot) {
         if (step.percept.time > m_zoneUntil) m_frame->view().setSpokenZone(std::nullopt);
     }
     markFloor();
-    if (newFrame) Q_EMIT frameShown(++m_framesShown);
+    explainVote();
+    if (newFrame && !m_timelineBar->looksBack()) Q_EMIT frameShown(++m_framesShown);
+}
+
+/// Of the place that the user chose in the list, while it is in it; else of the best.
+void LivePage::explainVote() {
+    int row = 0;
+    for (int i = 0; m_explained && i < m_votes.rowCount(); ++i)
+        if (m_votes.vote(i)->region == *m_explained) row = i;
+    m_detail.show(m_votes.vote(row),
+                  m_shown ? m_shown->step.history : std::deque<localisation::Observation>());
+}
+
+std::optional<RegionId> LivePage::chosenRegion() const {
+    const std::optional<MapHit>& hit = m_map->view().selected();
+    if (hit && hit->what == MapHit::What::Region && m_walk.building())
+        return m_walk.building()->regions()[hit->index].id;
+    return m_explained;
 }
 
 void LivePage::markFloor() {
@@ -226,6 +266,8 @@ void LivePage::markFloor() {
 
 void LivePage::note(const Utterance& utterance) {
     m_utterances.note(utterance);
+    if (utterance.state == UtteranceState::Speaking || utterance.state == UtteranceState::Shown)
+        m_timeline.noteSaid(utterance.text);
     m_instruction->note(utterance);
     const bool hasZone =
         utterance.cue.kind == guidance::CueKind::Detection || utterance.cue.kind == guidance::CueKind::Text;
@@ -245,19 +287,23 @@ void LivePage::retranslate() {
     };
     name(m_said, tr("What was said"), tr("Every sentence, when it was due, and what became of it"));
     name(m_voteTable, tr("Where it could be"), tr("The places that fit what was seen, best first"));
+    name(m_detailTable, tr("Why there"),
+         tr("What the vote of the chosen place is made of, and what speaks for it"));
     name(m_historyTable, tr("Last seen"), tr("The last objects that the place is worked out from"));
     name(m_pictureTable, tr("In the picture"), tr("Everything recognised in the picture shown"));
     name(m_floorTable, tr("On this floor"), tr("The map as a list; press Enter on a place to go there"));
-    m_tabs->setTabText(0, tr("Last seen"));
-    m_tabs->setTabText(1, tr("In the picture"));
-    m_tabs->setTabText(2, tr("On this floor"));
+    m_tabs->setTabText(0, tr("Why there"));
+    m_tabs->setTabText(1, tr("Last seen"));
+    m_tabs->setTabText(2, tr("In the picture"));
+    m_tabs->setTabText(3, tr("On this floor"));
     m_tabs->setAccessibleName(tr("Lists"));
     m_tabs->setToolTip(tr("Lists"));
     m_tabs->tabBar()->setAccessibleName(tr("Lists"));
-    for (QTableView* table : {m_said, m_voteTable, m_historyTable, m_pictureTable, m_floorTable})
+    for (QTableView* table :
+         {m_said, m_voteTable, m_detailTable, m_historyTable, m_pictureTable, m_floorTable})
         table->viewport()->update();
     for (const QAbstractItemModel* model : std::initializer_list<const QAbstractItemModel*>{
-             &m_utterances, &m_votes, &m_history, &m_detections, &m_floor})
+             &m_utterances, &m_votes, &m_detail, &m_history, &m_detections, &m_floor})
         Q_EMIT const_cast<QAbstractItemModel*>(model)->headerDataChanged(Qt::Horizontal, 0,
                                                                          model->columnCount() - 1);
 }

@@ -4,11 +4,13 @@
 
 #include "ui/live/speech_desk.h"
 #include "ui/live/walk.h"
+#include "ui/live/walk_timeline.h"
 #include "ui/models/detection_model.h"
 #include "ui/models/floor_model.h"
 #include "ui/models/history_model.h"
 #include "ui/models/region_model.h"
 #include "ui/models/utterance_model.h"
+#include "ui/models/vote_detail_model.h"
 #include "ui/models/vote_model.h"
 
 #include <QWidget>
@@ -27,6 +29,7 @@ class FramePanel;
 class InstructionPanel;
 class MapPanel;
 class PlaceChooser;
+class TimelineBar;
 
 /// Needs a Walk, a voice and settings that outlive it.
 class LivePage : public QWidget {
@@ -49,6 +52,11 @@ public:
     std::vector<QWidget*> tables() const; ///< in the order of the keyboard
     int framesShown() const { return m_framesShown; }
     void saveLayout();
+    WalkTimeline& timeline() { return m_timeline; }
+    TimelineBar& timelineBar() { return *m_timelineBar; }
+    VoteDetailModel& voteDetail() { return m_detail; }
+    /// What is chosen on the map, else in the list of places.
+    std::optional<RegionId> chosenRegion() const;
 
 Q_SIGNALS:
     void frameShown(int count);
@@ -64,6 +72,7 @@ private:
     void note(const Utterance& utterance);
     void markFloor();
     void selectOnMap(int floorRow);
+    void explainVote();
     void retranslate();
     void restoreLayout();
 
@@ -76,6 +85,8 @@ private:
     DetectionModel m_detections;
     VoteModel m_votes;
     UtteranceModel m_utterances;
+    VoteDetailModel m_detail;
+    WalkTimeline m_timeline;
 
     BannerStack* m_banners;
     PlaceChooser* m_start;
@@ -94,7 +105,10 @@ private:
     QTableView* m_historyTable;
     QTableView* m_pictureTable;
     QTableView* m_floorTable;
+    QTableView* m_detailTable;
+    TimelineBar* m_timelineBar;
 
+    std::optional<RegionId> m_explained; ///< chosen by the user; empty: the best
     int m_framesShown = 0;
     std::shared_ptr<const session::Snapshot> m_shown;
     double m_zoneUntil = 0.0; ///< walk time until which the spoken zone stays marked

@@ -180,9 +180,11 @@ void MapPanel::openMenu(const MapHit& hit, const QPoint& at) {
     QMenu menu(this);
     const QAction* go = menu.addAction(tr("&Go to %1").arg(name));
     const QAction* start = menu.addAction(tr("&Start at %1").arg(name));
+    const QAction* here = menu.addAction(tr("The user &is here, in %1").arg(name));
     const QAction* chosen = menu.exec(at);
     if (chosen == go) Q_EMIT destinationWanted(*region);
     if (chosen == start) Q_EMIT startWanted(*region);
+    if (chosen == here) Q_EMIT hereWanted(*region);
 }
 
 void MapPanel::retranslate() {

@@ -37,6 +37,7 @@ Q_SIGNALS:
     void followChanged(bool follow);
     void destinationWanted(const farol::RegionId& region);
     void startWanted(const farol::RegionId& region);
+    void hereWanted(const farol::RegionId& region); ///< the user is there now
 
 protected:
     void changeEvent(QEvent* event) override;

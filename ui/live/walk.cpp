@@ -298,6 +298,10 @@ void Walk::setStart(const std::optional<RegionId>& region) {
     Q_EMIT placesChanged();
 }
 
+void Walk::correct(const std::optional<RegionId>& region) {
+    if (m_session) m_session->setStart(region);
+}
+
 void Walk::setDestination(const std::optional<RegionId>& region) {
     m_destination = region;
     if (m_session)

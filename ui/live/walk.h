@@ -47,6 +47,9 @@ public:
     void stop();
     void setSpeed(double factor);
     void setStart(const std::optional<RegionId>& region);
+    /// The user is there now, or (empty) it is not known where; the start of the next walk stays. Nothing
+    /// without a walk.
+    void correct(const std::optional<RegionId>& region);
     void setDestination(const std::optional<RegionId>& region);
     void setVerbosity(guidance::Verbosity verbosity);
     /// How the next walk works out the place: one of localisation::localiserNames().

@@ -95,6 +95,7 @@ MainWindow::MainWindow(Settings& settings, Walk::OpenSource open, SpeechDesk::Ma
     connectPages();
     connectDemo();
     connectTraining();
+    connectSupervision();
     showPage(Page::Walk);
     m_walk.setVerbosity(settings.verbosity());
     m_walk.setRecordFolder([this] { return nextRecording(); });

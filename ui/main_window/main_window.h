@@ -61,6 +61,9 @@ private:
     void connectPages();
     void connectDemo();
     void connectTraining();
+    void connectSupervision();
+    void saveFile(const QString& caption, const QString& suggestion, const QString& filter,
+                  const std::function<bool(const QString&)>& write);
     MapView& shownMap();
     bool mayLeave();
     void showState(session::RunState state);

@@ -53,6 +53,9 @@ void WindowActions::buildMenus() {
     openSource = add(m_file, {Qt::CTRL | Qt::Key_P});
     recentSources = m_file->addMenu(QString());
     m_file->addSeparator();
+    savePicture = add(m_file, {Qt::CTRL | Qt::SHIFT | Qt::Key_P});
+    saveWalk = add(m_file, {Qt::CTRL | Qt::SHIFT | Qt::Key_E});
+    m_file->addSeparator();
     settings = add(m_file, {Qt::CTRL | Qt::Key_Comma});
     m_file->addSeparator();
     quit = add(m_file, {Qt::CTRL | Qt::Key_Q});
@@ -69,11 +72,16 @@ void WindowActions::buildMenus() {
     noDestination = add(m_walk, {Qt::CTRL | Qt::SHIFT | Qt::Key_G});
     start = add(m_walk, {Qt::CTRL | Qt::Key_B});
     m_walk->addSeparator();
+    here = add(m_walk, {Qt::CTRL | Qt::Key_H});
+    wrong = add(m_walk, {Qt::CTRL | Qt::Key_W});
+    m_walk->addSeparator();
     record = add(m_walk, {Qt::CTRL | Qt::SHIFT | Qt::Key_R}, true);
+    revote = add(m_walk);
 
     m_voice = bar->addMenu(QString());
     repeat = add(m_voice, {Qt::CTRL | Qt::Key_R});
     mute = add(m_voice, {Qt::CTRL | Qt::Key_M}, true);
+    sayThis = add(m_voice, {Qt::CTRL | Qt::Key_E});
     m_language = m_voice->addMenu(QString());
     english = add(m_language, {}, true);
     portuguese = add(m_language, {}, true);
@@ -123,6 +131,10 @@ void WindowActions::buildToolBar() {
     addGlyph(stop, Glyph::Stop);
     addGlyph(repeat, Glyph::Repeat);
     addGlyph(record, Glyph::Record);
+    addGlyph(here, Glyph::AddLandmark);
+    addGlyph(wrong, Glyph::Clear);
+    addGlyph(sayThis, Glyph::Sound);
+    addGlyph(savePicture, Glyph::Save);
     addGlyph(fitMap, Glyph::Fit);
     addGlyph(zoomIn, Glyph::ZoomIn);
     addGlyph(zoomOut, Glyph::ZoomOut);
@@ -140,6 +152,8 @@ void WindowActions::buildToolBar() {
     m_bar->addWidget(speed);
     m_bar->addSeparator();
     m_bar->addActions({repeat, mute, record});
+    m_bar->addSeparator();
+    m_bar->addActions({here, wrong, sayThis});
     m_bar->addSeparator();
     m_bar->addActions({openMap, openLibrary, openSource});
     for (QToolButton* button : m_bar->findChildren<QToolButton*>()) button->setFocusPolicy(Qt::TabFocus);
@@ -172,7 +186,8 @@ void WindowActions::showPage(Page page) {
     const bool shown = page == Page::Walk;
     m_bar->setVisible(shown);
     // Their keys belong to the page that is shown.
-    for (QAction* action : {follow, grid, rejected, destination, start, noDestination, openSource}) {
+    for (QAction* action : {follow, grid, rejected, destination, start, noDestination, openSource, here,
+                            wrong, savePicture, saveWalk}) {
         action->setEnabled(shown);
     }
     for (QAction* action : {fitMap, zoomIn, zoomOut}) action->setEnabled(page != Page::Landmarks);
@@ -230,6 +245,16 @@ void WindowActions::retranslate() {
     name(start, tr("Choose st&art"), tr("Start"), tr("Say where the walk starts"));
     name(record, tr("&Record the walk"), tr("Record"), tr("Keep the next walk in a folder, to be replayed"));
 
+    name(here, tr("The user is &here"), tr("Here"),
+         tr("The user is in the place that is chosen on the map or in the list"));
+    name(wrong, tr("That is &wrong"), tr("Wrong"), tr("The place shown is wrong: look for it anew"));
+    name(revote, tr("&Work out a recorded walk anew…"), tr("Anew"),
+         tr("Compare a recorded walk with the same walk worked out otherwise"));
+    name(sayThis, tr("&Say this…"), tr("Say"), tr("Type a sentence that is spoken to the user"));
+    name(savePicture, tr("Sa&ve the picture…"), tr("Picture"),
+         tr("Save what the camera sees, with what was recognised"));
+    name(saveWalk, tr("Save the walk as &table…"), tr("Table"),
+         tr("Save times, places and sentences of this walk for a spreadsheet"));
     name(repeat, tr("&Repeat"), tr("Repeat"), tr("Say the last instruction again"));
     name(mute, tr("Voice o&ff"), tr("Voice off"), tr("Show sentences without speaking them"));
     name(english, QStringLiteral("English"), QStringLiteral("English"), QStringLiteral("English"));

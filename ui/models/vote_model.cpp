@@ -20,6 +20,10 @@ void VoteModel::show(const std::vector<localisation::RegionVote>& votes) {
     replaceRows(m_votes, votes, ColumnCount);
 }
 
+const localisation::RegionVote* VoteModel::vote(int row) const {
+    return row >= 0 && row < rowCount() ? &m_votes[static_cast<std::size_t>(row)] : nullptr;
+}
+
 int VoteModel::rowCount(const QModelIndex& parent) const {
     return parent.isValid() ? 0 : static_cast<int>(m_votes.size());
 }
@@ -29,7 +33,7 @@ int VoteModel::columnCount(const QModelIndex& parent) const {
 }
 
 QString VoteModel::why(const localisation::RegionVote& vote, const QString& separator) const {
-    static const std::array<const char*, 6> kOrder{"Pmaxobj", "Rp", "Rv", "Ppos", "Pperc", "PID"};
+    static const std::array<const char*, 7> kOrder{"Pmaxobj", "Rp", "Rv", "Ppos", "Pperc", "PID", "weight"};
     QStringList parts;
     for (const char* name : kOrder)
         if (const auto term = vote.terms.find(name); term != vote.terms.end() && term->second != 0.0)

@@ -24,6 +24,7 @@ public:
 
     void setBuilding(std::shared_ptr<const building::Building> building);
     void show(const std::vector<localisation::RegionVote>& votes);
+    const localisation::RegionVote* vote(int row) const; ///< null: there is no such row
     int rowCount(const QModelIndex& parent = {}) const override;
     int columnCount(const QModelIndex& parent = {}) const override;
     QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;

@@ -134,14 +134,6 @@ QString Words::sureness(double confidence, double sureFrom) {
     return confidence >= sureFrom / 2 ? tr("fairly sure") : tr("not sure");
 }
 
-QString Words::rejection(const recognition::Rejection& rejection) {
-    const QString reason = toQString(rejection.reason);
-    if (reason == QLatin1String("few_inliers")) return tr("too few points fit");
-    if (reason == QLatin1String("folded_quad")) return tr("outline folded");
-    if (reason == QLatin1String("low_patch_correlation")) return tr("looks too different");
-    return QString(reason).replace(QLatin1Char('_'), QLatin1Char(' '));
-}
-
 QString Words::voteTerm(const std::string& name) {
     if (name == "Pobj") return tr("objects");
     if (name == "Pmaxobj") return tr("best object");
@@ -152,6 +144,14 @@ QString Words::voteTerm(const std::string& name) {
     if (name == "Rp") return tr("share seen here");
     if (name == "Rv") return tr("share seen next door");
     if (name == "Vreg") return tr("vote");
+    if (name == "Pdir") return tr("in the way of walking");
+    if (name == "Pf") return tr("on your level");
+    if (name == "Np") return tr("matching objects");
+    if (name == "Nv") return tr("matching objects next door");
+    if (name == "Nobj") return tr("objects seen");
+    if (name == "weight") return tr("share of the likelihood");
+    if (name == "lost") return tr("could be anywhere");
+    if (name == "against") return tr("evidence against all of this");
     return toQString(name);
 }
 

@@ -29,6 +29,8 @@ public:
     static QString cause(const guidance::Cue& cue);
     /// How sure a place is, in words: never a bare percentage, because the figure is no probability.
     static QString sureness(double confidence, double sureFrom);
+    /// A reason that has no words is shown as core calls it.
+    static bool knowsRejection(const std::string& reason);
     static QString rejection(const recognition::Rejection& rejection);
     /// One part of a vote (paper 4.2), such as "on the way".
     static QString voteTerm(const std::string& name);

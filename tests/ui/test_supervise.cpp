@@ -1,0 +1,280 @@
+// The sighted assistant's job on the whole window: see why a place was chosen, correct it, say something,
+// look back, save what was seen, and work a recorded walk out anew.
+
+#include "core/building/geopackage.h"
+#include "tests/ui/hand_made.h"
+#include "ui/convert/convert.h"
+#include "ui/live/frame_panel.h"
+#include "ui/live/map_panel.h"
+#include "ui/live/revote_dialog.h"
+#include "ui/live/timeline_bar.h"
+#include "ui/main_window/main_window.h"
+#include "ui/parts/banner.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QDir>
+#include <QFile>
+#include <QFileDialog>
+#include <QInputDialog>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTableView>
+#include <QTableWidget>
+#include <QTemporaryDir>
+#include <QTest>
+
+namespace farol::ui {
+
+namespace {
+
+constexpr int kPatience = 60000;
+
+std::shared_ptr<const session::Snapshot> at(double time, const char* region, double confidence) {
+    auto snapshot = std::make_shared<session::Snapshot>(*test::handMadeSnapshot());
+    snapshot->step.percept.time = time;
+    snapshot->step.fix.time = time;
+    snapshot->step.fix.region = RegionId(region);
+    snapshot->step.fix.confidence = confidence;
+    return snapshot;
+}
+
+} // namespace
+
+class SuperviseTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase();
+    void init();
+    void cleanup();
+    void theVoteIsExplained();
+    void aWrongPlaceIsCorrected();
+    void aTypedSentenceIsSaid();
+    void theTimelineLooksBack();
+    void aLongWalkTakesNoMoreMemory();
+    void pictureAndTableAreSaved();
+    void aRecordedWalkIsWorkedOutAnew();
+    void aFolderThatIsNoRecordingIsTold();
+
+private:
+    void key(int key, Qt::KeyboardModifiers modifiers = Qt::ControlModifier);
+    void begin(int frames);
+
+    QTemporaryDir m_folder;
+    QString m_map;
+    std::unique_ptr<Settings> m_settings;
+    std::unique_ptr<MainWindow> m_window;
+};
+
+void SuperviseTest::initTestCase() {
+    m_map = m_folder.filePath(QStringLiteral("house.gpkg"));
+    QVERIFY(building::saveBuilding(*test::handMadeBuilding(), toUtf8(m_map)).ok());
+}
+
+void SuperviseTest::init() {
+    QFile::remove(m_folder.filePath(QStringLiteral("settings.ini")));
+    m_settings = std::make_unique<Settings>(m_folder.filePath(QStringLiteral("settings.ini")));
+    m_settings->setLanguage(QStringLiteral("en"));
+    m_settings->setRecordingFolder(m_folder.path());
+    MainWindow::applyLanguage(*m_settings);
+}
+
+void SuperviseTest::cleanup() {
+    m_window.reset();
+    m_settings.reset();
+}
+
+void SuperviseTest::begin(int frames) {
+    const auto open =
+        [frames](const std::string&,
+                 const capture::SourceOptions&) -> Result<std::unique_ptr<capture::FrameSource>> {
+        return std::unique_ptr<capture::FrameSource>(
+            std::make_unique<test::FakeSource>(static_cast<std::uint64_t>(frames), 0.3));
+    };
+    m_window = std::make_unique<MainWindow>(
+        *m_settings, open, [](const VoiceChoice&) { return std::make_unique<test::FakeVoice>(); });
+    m_window->show();
+    m_window->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+    StartOptions options;
+    options.map = m_map;
+    options.source = QStringLiteral("grey");
+    m_window->begin(options);
+    QTRY_VERIFY_WITH_TIMEOUT(m_window->walk().building(), kPatience);
+}
+
+void SuperviseTest::key(int key, Qt::KeyboardModifiers modifiers) {
+    m_window->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+    QTest::keyClick(m_window.get(), static_cast<Qt::Key>(key), modifiers);
+}
+
+void SuperviseTest::theVoteIsExplained() {
+    begin(1);
+    LivePage& page = m_window->page();
+    page.show(test::handMadeSnapshot());
+    const VoteDetailModel& detail = page.voteDetail();
+    const auto column = [&](int which) {
+        QStringList texts;
+        for (int row = 0; row < detail.rowCount(); ++row) texts << detail.index(row, which).data().toString();
+        return texts;
+    };
+    QVERIFY(column(VoteDetailModel::What).contains(QStringLiteral("Pmaxobj")));
+    QVERIFY(column(VoteDetailModel::Figure).contains(QStringLiteral("3.00")));
+    QVERIFY(column(VoteDetailModel::What).contains(QStringLiteral("speaks for it")));
+    // Another place of the list, by key: its own terms, also when the next picture comes.
+    auto* votes = qobject_cast<QTableView*>(page.tables()[1]);
+    QVERIFY(votes);
+    votes->setFocus();
+    votes->selectRow(0);
+    QTest::keyClick(votes, Qt::Key_Down);
+    QVERIFY(column(VoteDetailModel::What).contains(QStringLiteral("Ppos")));
+    page.show(test::handMadeSnapshot());
+    QVERIFY(column(VoteDetailModel::What).contains(QStringLiteral("Ppos")));
+    QVERIFY(column(VoteDetailModel::Meaning).contains(QStringLiteral("none of the objects last seen stands there")));
+    QCOMPARE(page.chosenRegion(), RegionId("r1"));
+}
+
+void SuperviseTest::aWrongPlaceIsCorrected() {
+    begin(400);
+    LivePage& page = m_window->page();
+    key(Qt::Key_H);
+    QVERIFY(page.banners().text(QStringLiteral("corrected")).contains(QLatin1String("no walk")));
+    key(Qt::Key_F5, {});
+    QTRY_VERIFY_WITH_TIMEOUT(m_window->walk().snapshot() && page.framesShown() > 0, kPatience);
+    key(Qt::Key_H);
+    QVERIFY(page.banners().text(QStringLiteral("corrected")).contains(QLatin1String("Choose a place")));
+    const auto& regions = m_window->walk().building()->regions();
+    for (std::size_t i = 0; i < regions.size(); ++i)
+        if (regions[i].id == RegionId("r1"))
+            page.mapPanel().view().select(MapHit{MapHit::What::Region, i}, true);
+    key(Qt::Key_H);
+    QVERIFY(page.banners().text(QStringLiteral("corrected")).contains(QLatin1String("Room 1")));
+    QTRY_COMPARE_WITH_TIMEOUT(m_window->walk().snapshot()->step.fix.region, std::optional(RegionId("r1")),
+                              kPatience);
+    QVERIFY(page.mapPanel().whereText().contains(QLatin1String("Room 1")));
+    QVERIFY(!m_window->walk().start()); // the next walk begins as before
+    key(Qt::Key_W);
+    QTRY_VERIFY_WITH_TIMEOUT(!m_window->walk().snapshot()->step.fix.region, kPatience);
+}
+
+void SuperviseTest::aTypedSentenceIsSaid() {
+    begin(1);
+    key(Qt::Key_E);
+    auto* ask = m_window->findChild<QInputDialog*>();
+    QVERIFY(ask);
+    auto* edit = ask->findChild<QLineEdit*>();
+    QTest::keyClicks(edit, QStringLiteral("Mind the wet floor."));
+    QTest::keyClick(edit, Qt::Key_Return);
+    UtteranceModel& said = m_window->page().utterances();
+    QTRY_VERIFY_WITH_TIMEOUT(said.rowCount() == 1, kPatience);
+    QCOMPARE(said.index(0, UtteranceModel::Sentence).data().toString(),
+             QStringLiteral("Mind the wet floor."));
+}
+
+void SuperviseTest::theTimelineLooksBack() {
+    begin(1);
+    LivePage& page = m_window->page();
+    page.timeline().add(*at(1.0, "c", 0.9));
+    page.timeline().noteSaid(QStringLiteral("Turn left."));
+    page.timeline().add(*at(1.05, "c", 0.9)); // too soon after the one before
+    page.timeline().add(*at(2.0, "r1", 0.4));
+    page.timeline().add(*at(3.0, "lib", 0.7));
+    QCOMPARE(page.timeline().moments().size(), std::size_t{3});
+    QCOMPARE(page.timeline().moments()[1].said, QStringList{QStringLiteral("Turn left.")});
+    TimelineSlider& slider = page.timelineBar().slider();
+    slider.setFocus();
+    QTest::keyClick(&slider, Qt::Key_Left);
+    QVERIFY(page.timelineBar().looksBack());
+    QVERIFY2(page.mapPanel().whereText().contains(QLatin1String("Room 1")),
+             qPrintable(page.mapPanel().whereText()));
+    QVERIFY(!page.framePanel().view().pictureRect().isEmpty());
+    page.timeline().add(*at(4.0, "lib", 0.7)); // the walk goes on, what is looked at stays
+    QVERIFY(page.timelineBar().looksBack());
+    QVERIFY(page.mapPanel().whereText().contains(QLatin1String("Room 1")));
+    QTest::mouseClick(&slider, Qt::LeftButton, {}, QPoint(10, slider.height() / 2));
+    QVERIFY(page.mapPanel().whereText().contains(QLatin1String("Main corridor")));
+    QTest::keyClick(&slider, Qt::Key_End);
+    QVERIFY(!page.timelineBar().looksBack());
+    QCOMPARE(slider.accessibleDescription(), QStringLiteral("Now"));
+}
+
+void SuperviseTest::aLongWalkTakesNoMoreMemory() {
+    WalkTimeline timeline;
+    auto snapshot = std::make_shared<session::Snapshot>(*at(0.0, "c", 0.5));
+    snapshot->frame.image = cv::Mat();
+    for (int i = 0; i < 20000; ++i) {
+        snapshot->step.percept.time = i * 0.25;
+        if (i % 100 == 0) timeline.noteSaid(QString::number(i));
+        timeline.add(*snapshot);
+    }
+    QVERIFY(timeline.moments().size() <= WalkTimeline::kMost);
+    QCOMPARE(timeline.moments().front().time, 0.0);
+    QVERIFY(timeline.moments().back().time > 4900.0);
+    int said = 0;
+    for (const Moment& moment : timeline.moments()) said += static_cast<int>(moment.said.size());
+    QVERIFY(said >= 199); // nothing that was said is lost
+}
+
+void SuperviseTest::pictureAndTableAreSaved() {
+    begin(1);
+    m_window->page().show(test::handMadeSnapshot());
+    m_window->page().timeline().add(*at(1.0, "c", 0.9));
+    const auto save = [&](int shortcut, const QString& file) {
+        key(shortcut, Qt::ControlModifier | Qt::ShiftModifier);
+        auto* ask = m_window->findChild<QFileDialog*>();
+        QVERIFY(ask);
+        ask->setOption(QFileDialog::DontConfirmOverwrite);
+        Q_EMIT ask->fileSelected(file);
+        ask->close();
+        QTRY_VERIFY(!m_window->findChild<QFileDialog*>());
+    };
+    const QString picture = m_folder.filePath(QStringLiteral("seen.png"));
+    save(Qt::Key_P, picture);
+    QVERIFY(!QImage(picture).isNull());
+    const QString table = m_folder.filePath(QStringLiteral("walk.csv"));
+    save(Qt::Key_E, table);
+    QFile file(table);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    const QByteArray text = file.readAll();
+    QVERIFY(text.startsWith("seconds,picture,region,name,confidence"));
+    QVERIFY(text.contains("\"c\",\"Main corridor\",0.900"));
+    save(Qt::Key_E, m_folder.filePath(QStringLiteral("no/such/walk.csv")));
+    QVERIFY(m_window->page()
+                .banners()
+                .text(QStringLiteral("saved"))
+                .contains(QLatin1String("cannot be written")));
+}
+
+void SuperviseTest::aRecordedWalkIsWorkedOutAnew() {
+    begin(6);
+    key(Qt::Key_R, Qt::ControlModifier | Qt::ShiftModifier);
+    m_window->walk().setStart(RegionId("r1"));
+    key(Qt::Key_F5, {});
+    QTRY_COMPARE_WITH_TIMEOUT(m_window->walk().state(), session::RunState::Ended, kPatience);
+    m_window->walk().stop();
+    const QStringList walks = QDir(m_folder.path()).entryList({QStringLiteral("walk-*")}, QDir::Dirs);
+    QCOMPARE(walks.size(), 1);
+    RevoteDialog dialog(m_folder.filePath(walks.first()),
+                        {{QStringLiteral("voting"), QStringLiteral("Voting")},
+                         {QStringLiteral("bayes"), QStringLiteral("Filter")}});
+    dialog.show();
+    QTest::keyClick(&dialog.startButton(), Qt::Key_Space);
+    QTRY_VERIFY_WITH_TIMEOUT(dialog.summary().contains(QLatin1String("pictures (")), kPatience);
+    QVERIFY2(dialog.summary().contains(QLatin1String("of 6 pictures")), qPrintable(dialog.summary()));
+}
+
+void SuperviseTest::aFolderThatIsNoRecordingIsTold() {
+    RevoteDialog dialog(m_folder.path(), {{QStringLiteral("voting"), QStringLiteral("Voting")}});
+    dialog.show();
+    QTest::keyClick(&dialog.startButton(), Qt::Key_Space);
+    QTRY_VERIFY_WITH_TIMEOUT(dialog.summary().contains(QLatin1String("recording.json")), kPatience);
+    QCOMPARE(dialog.table().rowCount(), 0);
+}
+
+} // namespace farol::ui
+
+QTEST_MAIN(farol::ui::SuperviseTest)
+#include "test_supervise.moc"

@@ -655,6 +655,125 @@ Abra uma câmara, um vídeo ou uma pasta de imagens e depois prima Reproduzir.</
     </message>
 </context>
 <context>
+    <name>farol::ui::HelpDialog</name>
+    <message>
+        <source>Help</source>
+        <translation>Ajuda</translation>
+    </message>
+    <message>
+        <source>Chapters</source>
+        <translation>Capítulos</translation>
+    </message>
+    <message>
+        <source>What the help is about</source>
+        <translation>De que trata a ajuda</translation>
+    </message>
+    <message>
+        <source>Walk page</source>
+        <translation>Página do percurso</translation>
+    </message>
+    <message>
+        <source>Map page</source>
+        <translation>Página do mapa</translation>
+    </message>
+    <message>
+        <source>Landmarks page</source>
+        <translation>Página dos pontos de referência</translation>
+    </message>
+    <message>
+        <source>Kiosk</source>
+        <translation>Quiosque</translation>
+    </message>
+    <message>
+        <source>Text of the chapter</source>
+        <translation>Texto do capítulo</translation>
+    </message>
+    <message>
+        <source>Here a map of a building is opened or brought in, looked at, checked and changed. The plan and the table show the same: what is chosen in one is chosen in the other.</source>
+        <translation>Aqui abre-se ou importa-se o mapa de um edifício, vê-se, verifica-se e altera-se. A planta e a tabela mostram o mesmo: o que se escolhe numa fica escolhido na outra.</translation>
+    </message>
+    <message>
+        <source>F7 looks for what is wrong with the map and says what to do about each finding.</source>
+        <translation>F7 procura o que está errado no mapa e diz o que fazer em cada caso.</translation>
+    </message>
+    <message>
+        <source>Ctrl+U marks places that the landmarks cannot tell apart. A landmark there helps most.</source>
+        <translation>Ctrl+U marca lugares que os pontos de referência não distinguem. Um ponto ali é o que mais ajuda.</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+L puts a landmark on the plan, Ctrl+Shift+D a door. Drag what is chosen, or move it with Alt and the arrows.</source>
+        <translation>Ctrl+Shift+L põe um ponto de referência na planta, Ctrl+Shift+D uma porta. Arraste o que está escolhido, ou mova-o com Alt e as setas.</translation>
+    </message>
+    <message>
+        <source>Ctrl+Z takes every step back. Nothing is written until you save with Ctrl+S.</source>
+        <translation>Ctrl+Z desfaz cada passo. Nada é escrito antes de guardar com Ctrl+S.</translation>
+    </message>
+    <message>
+        <source>Here Farol is taught what it shall know again. Every change is saved by itself and can be taken back with Ctrl+Z; a landmark that is not finished is kept, also when the computer stops.</source>
+        <translation>Aqui ensina-se ao Farol o que deve reconhecer. Cada alteração guarda-se sozinha e desfaz-se com Ctrl+Z; um ponto por acabar é mantido, mesmo que o computador pare.</translation>
+    </message>
+    <message>
+        <source>Ctrl+T teaches a landmark in four steps: what it is, its views, a trial, its place on the map.</source>
+        <translation>Ctrl+T ensina um ponto de referência em quatro passos: o que é, as vistas, uma experiência, o lugar no mapa.</translation>
+    </message>
+    <message>
+        <source>Take a view from the front, from the left, from the right and from farther away. The coach says what is wrong with a picture and which one comes next. Drag the four corners onto the landmark; by keys, 1 to 4 choose a corner and the arrows move it.</source>
+        <translation>Tire uma vista de frente, da esquerda, da direita e de mais longe. Os conselhos dizem o que está mal numa imagem e qual vem a seguir. Arraste os quatro cantos para o ponto; com teclas, 1 a 4 escolhem um canto e as setas movem-no.</translation>
+    </message>
+    <message>
+        <source>F7 checks the whole library: how well each landmark is found, how far away, how far aside, and which are taken for each other. Merge what is the same, and add views to what is lost.</source>
+        <translation>F7 verifica a biblioteca toda: como cada ponto é encontrado, a que distância, de que lado, e quais se confundem. Junte o que é igual e acrescente vistas ao que se perde.</translation>
+    </message>
+    <message>
+        <source>The kiosk is for a blind user who is alone: “farol --kiosk” fills the screen and says everything. Arrows and Enter choose a destination, letters search, F1 says the keys, Escape goes back.</source>
+        <translation>O quiosque é para um utilizador cego sozinho: “farol --kiosk” enche o ecrã e diz tudo. As setas e Enter escolhem o destino, as letras procuram, F1 diz as teclas, Escape volta atrás.</translation>
+    </message>
+    <message>
+        <source>Space repeats, W says where you are, A what is around you, N what comes next, L the whole way. Plus and minus change the speed of the voice. Hold Escape to leave.</source>
+        <translation>O espaço repete, W diz onde está, A o que há à volta, N o que vem a seguir, L todo o caminho. Mais e menos mudam a velocidade da voz. Mantenha Escape premido para sair.</translation>
+    </message>
+    <message>
+        <source>Here somebody is guided, and you watch: what the camera sees, the place on the map, what is said, and why.</source>
+        <translation>Aqui alguém é guiado e você acompanha: o que a câmara vê, o lugar no mapa, o que é dito e porquê.</translation>
+    </message>
+    <message>
+        <source>F5 starts and holds the walk, F8 goes on by one picture.</source>
+        <translation>F5 começa e suspende o percurso, F8 avança uma imagem.</translation>
+    </message>
+    <message>
+        <source>When the place shown is not right, choose the right one on the map and press Ctrl+H.</source>
+        <translation>Quando o lugar mostrado não está certo, escolha o certo no mapa e prima Ctrl+H.</translation>
+    </message>
+    <message>
+        <source>Ctrl+W gives the place up, so that it is looked for anew.</source>
+        <translation>Ctrl+W abandona o lugar, para que seja procurado de novo.</translation>
+    </message>
+    <message>
+        <source>Ctrl+E speaks a sentence that you type.</source>
+        <translation>Ctrl+E diz uma frase que escreva.</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+R records the next walk. A recorded walk can be worked out anew in another way and compared, from the Walk menu.</source>
+        <translation>Ctrl+Shift+R grava o próximo percurso. Um percurso gravado pode ser recalculado de outra forma e comparado, no menu Percurso.</translation>
+    </message>
+    <message>
+        <source>The timeline at the bottom looks back: drag it, or use the arrow keys. “Why there” explains the vote of the place that is chosen in the list.</source>
+        <translation>A linha do tempo, em baixo, olha para trás: arraste-a, ou use as setas. “Porquê ali” explica o voto do lugar escolhido na lista.</translation>
+    </message>
+    <message>
+        <source>Ctrl+O opens the map of the building.</source>
+        <translation>Ctrl+O abre o mapa do edifício.</translation>
+    </message>
+    <message>
+        <source>Ctrl+L opens the landmarks that belong to it.</source>
+        <translation>Ctrl+L abre os pontos de referência que lhe pertencem.</translation>
+    </message>
+    <message>
+        <source>Ctrl+P chooses a camera, a video or a folder of pictures, and Ctrl+G where to go.</source>
+        <translation>Ctrl+P escolhe uma câmara, um vídeo ou uma pasta de imagens, e Ctrl+G o destino.</translation>
+    </message>
+</context>
+<context>
     <name>farol::ui::HistoryModel</name>
     <message>
         <source>What</source>
@@ -2057,6 +2176,14 @@ Guia uma pessoa cega por um edifício com uma câmara comum: reconhece o que lhe
         <source>Tables (%1)</source>
         <translation>Tabelas (%1)</translation>
     </message>
+    <message>
+        <source>Open as &amp;map</source>
+        <translation>Abrir como &amp;mapa</translation>
+    </message>
+    <message>
+        <source>Open as landmark &amp;library</source>
+        <translation>Abrir como &amp;biblioteca de pontos de referência</translation>
+    </message>
 </context>
 <context>
     <name>farol::ui::MapActions</name>
@@ -2529,6 +2656,124 @@ Abra um com Ctrl+O.</translation>
     <message>
         <source>More likely</source>
         <translation>Mais provável</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::OptionFields</name>
+    <message>
+        <source>Announce what comes within</source>
+        <translation>Anunciar o que vem a menos de</translation>
+    </message>
+    <message>
+        <source>Say “now” within</source>
+        <translation>Dizer “agora” a menos de</translation>
+    </message>
+    <message>
+        <source>Reassure every</source>
+        <translation>Tranquilizar a cada</translation>
+    </message>
+    <message>
+        <source>Reassure, where no distance is known, every</source>
+        <translation>Tranquilizar, sem distância conhecida, a cada</translation>
+    </message>
+    <message>
+        <source>Repeat an instruction after</source>
+        <translation>Repetir uma instrução ao fim de</translation>
+    </message>
+    <message>
+        <source>Tell an object again after</source>
+        <translation>Voltar a dizer um objeto ao fim de</translation>
+    </message>
+    <message>
+        <source>Say that the place is not known after</source>
+        <translation>Dizer que o lugar é desconhecido ao fim de</translation>
+    </message>
+    <message>
+        <source>Say again that the route was left after</source>
+        <translation>Voltar a dizer que saiu do percurso ao fim de</translation>
+    </message>
+    <message>
+        <source>Avoid stairs</source>
+        <translation>Evitar escadas</translation>
+    </message>
+    <message>
+        <source>Avoid lifts</source>
+        <translation>Evitar elevadores</translation>
+    </message>
+    <message>
+        <source>Avoid escalators</source>
+        <translation>Evitar escadas rolantes</translation>
+    </message>
+    <message>
+        <source>Avoid moving walkways</source>
+        <translation>Evitar tapetes rolantes</translation>
+    </message>
+    <message>
+        <source>Avoid ramps</source>
+        <translation>Evitar rampas</translation>
+    </message>
+    <message>
+        <source>Avoid narrow doors</source>
+        <translation>Evitar portas estreitas</translation>
+    </message>
+    <message>
+        <source>Avoid restricted places</source>
+        <translation>Evitar lugares reservados</translation>
+    </message>
+    <message>
+        <source>Walking speed</source>
+        <translation>Velocidade da marcha</translation>
+    </message>
+    <message>
+        <source>Time to find and pass a door</source>
+        <translation>Tempo para encontrar e passar uma porta</translation>
+    </message>
+    <message>
+        <source>Time for the stairs of a level</source>
+        <translation>Tempo para as escadas de um piso</translation>
+    </message>
+    <message>
+        <source>Time to wait for a lift and ride it</source>
+        <translation>Tempo para esperar e usar um elevador</translation>
+    </message>
+    <message>
+        <source>Points that must fit an object</source>
+        <translation>Pontos que têm de condizer num objeto</translation>
+    </message>
+    <message>
+        <source>Evidence that an object needs</source>
+        <translation>Indícios de que um objeto precisa</translation>
+    </message>
+    <message>
+        <source>Points that must fit a known place</source>
+        <translation>Pontos que têm de condizer num lugar conhecido</translation>
+    </message>
+    <message>
+        <source>Sharpness that a picture needs</source>
+        <translation>Nitidez de que uma imagem precisa</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::OptionForm</name>
+    <message>
+        <source>&amp;Defaults</source>
+        <translation>&amp;Predefinições</translation>
+    </message>
+    <message>
+        <source>Defaults</source>
+        <translation>Predefinições</translation>
+    </message>
+    <message>
+        <source>Take every figure of this page back to what the program has</source>
+        <translation>Repor todos os valores desta página como o programa os tem</translation>
+    </message>
+    <message>
+        <source>Usually %1</source>
+        <translation>Normalmente %1</translation>
+    </message>
+    <message>
+        <source>%1:</source>
+        <translation>%1:</translation>
     </message>
 </context>
 <context>
@@ -3794,6 +4039,37 @@ Abra um com Ctrl+O.</translation>
     </message>
 </context>
 <context>
+    <name>farol::ui::ProfileMenu</name>
+    <message>
+        <source>Usual</source>
+        <translation>Habitual</translation>
+    </message>
+    <message>
+        <source>Use the settings of %1</source>
+        <translation>Usar as definições de %1</translation>
+    </message>
+    <message>
+        <source>&amp;New user…</source>
+        <translation>&amp;Novo utilizador…</translation>
+    </message>
+    <message>
+        <source>New user</source>
+        <translation>Novo utilizador</translation>
+    </message>
+    <message>
+        <source>Name; the new user begins with the settings as they are now:</source>
+        <translation>Nome; o novo utilizador começa com as definições atuais:</translation>
+    </message>
+    <message>
+        <source>&amp;User</source>
+        <translation>&amp;Utilizador</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be used as a name: it must not hold a slash.</source>
+        <translation>“%1” não serve de nome: não pode ter uma barra.</translation>
+    </message>
+</context>
+<context>
     <name>farol::ui::RegionDialog</name>
     <message>
         <source>Region %1</source>
@@ -4955,6 +5231,82 @@ Abra um com Ctrl+O.</translation>
     <message>
         <source>&amp;Recordings:</source>
         <translation>&amp;Gravações:</translation>
+    </message>
+    <message>
+        <source>Pages of the settings</source>
+        <translation>Páginas das definições</translation>
+    </message>
+    <message>
+        <source>General</source>
+        <translation>Geral</translation>
+    </message>
+    <message>
+        <source>Guidance</source>
+        <translation>Orientação</translation>
+    </message>
+    <message>
+        <source>When something is said. From the next start of a walk.</source>
+        <translation>Quando se diz alguma coisa. A partir do próximo início de um percurso.</translation>
+    </message>
+    <message>
+        <source>Routes</source>
+        <translation>Caminhos</translation>
+    </message>
+    <message>
+        <source>Which way is chosen. From the next start of a walk.</source>
+        <translation>Que caminho se escolhe. A partir do próximo início de um percurso.</translation>
+    </message>
+    <message>
+        <source>Recognition</source>
+        <translation>Reconhecimento</translation>
+    </message>
+    <message>
+        <source>How sure a landmark must be before it counts. Lower figures find more, and more that is wrong: leave them unless you can check. From the next start of a walk.</source>
+        <translation>Quão certo tem de ser um ponto de referência para contar. Valores mais baixos encontram mais, e mais errado: deixe-os, a não ser que possa verificar. A partir do próximo início de um percurso.</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Claras</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Escuras</translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation>Cores</translation>
+    </message>
+    <message>
+        <source>Light or dark windows</source>
+        <translation>Janelas claras ou escuras</translation>
+    </message>
+    <message>
+        <source>&amp;Colours:</source>
+        <translation>&amp;Cores:</translation>
+    </message>
+    <message>
+        <source>Metres</source>
+        <translation>Metros</translation>
+    </message>
+    <message>
+        <source>Feet</source>
+        <translation>Pés</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Degraus</translation>
+    </message>
+    <message>
+        <source>Distances</source>
+        <translation>Distâncias</translation>
+    </message>
+    <message>
+        <source>How distances are told</source>
+        <translation>Como se dizem as distâncias</translation>
+    </message>
+    <message>
+        <source>Dis&amp;tances:</source>
+        <translation>Dis&amp;tâncias:</translation>
     </message>
 </context>
 <context>
@@ -6196,6 +6548,53 @@ Ligue a câmara, ou escolha imagens ou uma gravação.</translation>
     </message>
 </context>
 <context>
+    <name>farol::ui::WelcomeDialog</name>
+    <message>
+        <source>Welcome to Farol</source>
+        <translation>Bem-vindo ao Farol</translation>
+    </message>
+    <message>
+        <source>Farol guides a blind person through a building with one camera. It needs a map of the building, and landmarks that it was taught. What do you want to do?</source>
+        <translation>O Farol guia uma pessoa cega num edifício com uma câmara. Precisa de um mapa do edifício e de pontos de referência ensinados. O que quer fazer?</translation>
+    </message>
+    <message>
+        <source>&amp;Guide somebody</source>
+        <translation>&amp;Guiar alguém</translation>
+    </message>
+    <message>
+        <source>Open a map and a camera, and choose where to go</source>
+        <translation>Abrir um mapa e uma câmara, e escolher aonde ir</translation>
+    </message>
+    <message>
+        <source>Work on a &amp;map</source>
+        <translation>Trabalhar num &amp;mapa</translation>
+    </message>
+    <message>
+        <source>Bring in a floor plan, check it, and put landmarks on it</source>
+        <translation>Importar uma planta, verificá-la e pôr-lhe pontos de referência</translation>
+    </message>
+    <message>
+        <source>Teach &amp;landmarks</source>
+        <translation>&amp;Ensinar pontos de referência</translation>
+    </message>
+    <message>
+        <source>Photograph what Farol shall know again</source>
+        <translation>Fotografar o que o Farol deve reconhecer</translation>
+    </message>
+    <message>
+        <source>Read the &amp;help</source>
+        <translation>Ler a &amp;ajuda</translation>
+    </message>
+    <message>
+        <source>What each page is for, and its keys; F1 at any time</source>
+        <translation>Para que serve cada página, e as teclas; F1 a qualquer momento</translation>
+    </message>
+    <message>
+        <source>For a blind user who is alone, start “farol --kiosk”: full screen, by keys and speech.</source>
+        <translation>Para um utilizador cego sozinho, inicie “farol --kiosk”: ecrã inteiro, com teclas e voz.</translation>
+    </message>
+</context>
+<context>
     <name>farol::ui::WindowActions</name>
     <message>
         <source>&amp;File</source>
@@ -6680,6 +7079,26 @@ Ligue a câmara, ou escolha imagens ou uma gravação.</translation>
     <message>
         <source>Save times, places and sentences of this walk for a spreadsheet</source>
         <translation>Guardar tempos, lugares e frases deste percurso para uma folha de cálculo</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Ajuda</translation>
+    </message>
+    <message>
+        <source>How the page that is shown is used</source>
+        <translation>Como se usa a página mostrada</translation>
+    </message>
+    <message>
+        <source>&amp;Welcome</source>
+        <translation>&amp;Bem-vindo</translation>
+    </message>
+    <message>
+        <source>Welcome</source>
+        <translation>Bem-vindo</translation>
+    </message>
+    <message>
+        <source>The page of the first start</source>
+        <translation>A página do primeiro arranque</translation>
     </message>
 </context>
 <context>

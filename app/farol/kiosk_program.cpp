@@ -70,7 +70,7 @@ int runKiosk(const Options& options) {
     start.memoryFile = QDir(data).filePath(QStringLiteral("kiosk.json"));
     ui::Kiosk kiosk(settings, start);
     ui::KioskPage page(kiosk);
-    if (options.size) page.resize(*options.size);
+    if (aside) page.resize(options.size.value_or(QSize(1280, 800)));
     if (aside)
         page.show();
     else

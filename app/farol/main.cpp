@@ -1,6 +1,5 @@
 // The workstation.
 
-#include "app/farol/dark_palette.h"
 #include "app/farol/kiosk_program.h"
 #include "app/farol/options.h"
 #include "app/farol/screenshot.h"
@@ -24,14 +23,15 @@ int main(int argc, char** argv) {
     const farol::Options options = farol::optionsFrom(QApplication::arguments());
 
     if (options.kiosk) return farol::runKiosk(options);
-    if (options.dark) QApplication::setPalette(farol::darkPalette());
 
     // A picture or a self-test neither follows nor changes what the user has set.
     const QTemporaryDir scratch;
     const bool aside = options.selfTest || !options.screenshot.isEmpty();
     farol::ui::Settings settings(aside ? scratch.filePath(QStringLiteral("settings.ini")) : QString());
     if (!options.language.isEmpty()) settings.setLanguage(options.language.left(2));
+    if (options.dark) settings.setLook(farol::ui::Look::Dark);
     farol::ui::MainWindow::applyLanguage(settings);
+    farol::ui::MainWindow::applyLook(settings);
 
     farol::ui::MainWindow window(settings);
     if (options.size) window.resize(*options.size);
@@ -46,6 +46,9 @@ int main(int argc, char** argv) {
         });
         watch->start(100);
     }
+    if (settings.firstRun() && !aside && options.begin.map.isEmpty() && options.begin.source.isEmpty() &&
+        options.begin.edit.isEmpty())
+        window.welcome();
     window.begin(options.begin);
     const int code = QApplication::exec();
     return failures > 0 ? 1 : code;

@@ -1,5 +1,6 @@
 // What the user chose survives a restart; what a file holds that makes no sense does not matter.
 
+#include "ui/settings/option_fields.h"
 #include "ui/settings/settings.h"
 
 #include <QSignalSpy>
@@ -17,6 +18,8 @@ private Q_SLOTS:
     void nonsenseFallsBack();
     void recentItemsAreNewestFirstAndOnce();
     void onlyChangesAreTold();
+    void optionsAreKeptAndStayInTheirLimits();
+    void everyUserHasSettingsOfTheirOwn();
 
 private:
     QTemporaryDir m_folder;
@@ -106,6 +109,66 @@ void SettingsTest::onlyChangesAreTold() {
     settings.setLanguage(QStringLiteral("en"));
     QCOMPARE(muted.count(), 1);
     QCOMPARE(language.count(), 1);
+}
+
+void SettingsTest::optionsAreKeptAndStayInTheirLimits() {
+    const QString name = file("options.ini");
+    {
+        Settings settings(name);
+        QCOMPARE(settings.guidanceOptions({}).prepareDistanceM, guidance::GuidanceOptions().prepareDistanceM);
+        settings.setOption(QStringLiteral("prepare-distance"), 9.5);
+        settings.setOption(QStringLiteral("avoid-stairs"), 1.0);
+        settings.setOption(QStringLiteral("object-points"), 12.0);
+        settings.setOption(QStringLiteral("walking-speed"), 1e9);
+    }
+    Settings again(name);
+    QCOMPARE(again.guidanceOptions({}).prepareDistanceM, 9.5);
+    QCOMPARE(again.guidanceOptions({}).actDistanceM, guidance::GuidanceOptions().actDistanceM);
+    QVERIFY(again.routeOptions({}).avoidStairs);
+    QVERIFY(!again.routeOptions({}).avoidElevator);
+    QCOMPARE(again.recogniserOptions({}).minInliers, 12);
+    QCOMPARE(again.routeOptions({}).walkingSpeed, 2.0);
+    again.setOption(QStringLiteral("avoid-stairs"), std::nullopt);
+    QVERIFY(!again.routeOptions({}).avoidStairs);
+    // The program's own figures lie inside the limits of the forms, and what the forms allow makes sense.
+    const auto within = [](const auto& fields, auto usual) {
+        for (const auto& field : fields) {
+            if (!field.yesOrNo() && (field.in(usual) < field.low || field.in(usual) > field.high))
+                return false;
+            for (const double value : {field.low, field.high}) {
+                auto options = usual;
+                field.put(options, value);
+                if (!options.check()) return false;
+            }
+        }
+        return true;
+    };
+    QVERIFY(within(guidanceFields(), guidance::GuidanceOptions()));
+    QVERIFY(within(routeFields(), routing::RouteOptions()));
+    QVERIFY(within(recogniserFields(), recognition::RecogniserOptions()));
+}
+
+void SettingsTest::everyUserHasSettingsOfTheirOwn() {
+    const QTemporaryDir folder;
+    const QString name = folder.filePath(QStringLiteral("users.ini"));
+    {
+        Settings settings(name);
+        settings.setUnit(DistanceUnit::Steps);
+        QSignalSpy told(&settings, &Settings::guidanceChanged);
+        QVERIFY(settings.useProfile(QStringLiteral("Ana")));
+        QCOMPARE(told.count(), 1);
+        QCOMPARE(settings.unit(), DistanceUnit::Steps); // begins as they were
+        settings.setUnit(DistanceUnit::Feet);
+        QVERIFY(settings.useProfile(QString()));
+        QCOMPARE(settings.unit(), DistanceUnit::Steps);
+        QVERIFY(settings.useProfile(QStringLiteral("Ana")));
+        QVERIFY(!settings.useProfile(QStringLiteral("../ana")));
+        QVERIFY(!settings.useProfile(QStringLiteral(".hidden")));
+    }
+    const Settings again(name);
+    QCOMPARE(again.profile(), QStringLiteral("Ana"));
+    QCOMPARE(again.unit(), DistanceUnit::Feet);
+    QCOMPARE(again.profiles(), (QStringList{QString(), QStringLiteral("Ana")}));
 }
 
 } // namespace farol::ui

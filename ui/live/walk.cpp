@@ -192,6 +192,7 @@ void Walk::open(bool stepOnly) {
     options.sourceName = toUtf8(m_source.name);
     options.navigator = session::NavigatorOptions::with(toUtf8(m_localiser));
     options.navigator.guidance.verbosity = m_verbosity;
+    if (m_adjust) m_adjust(options);
     m_recording = m_nextFolder ? m_nextFolder().value_or(QString()) : QString();
     if (!m_recording.isEmpty()) options.recordFolder = toUtf8(m_recording);
     capture::SourceOptions sourceOptions;

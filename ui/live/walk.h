@@ -57,6 +57,8 @@ public:
     const QString& localiser() const { return m_localiser; }
     /// The answer comes as a cue; without a walk none comes.
     void ask(guidance::Question question);
+    /// Changes the options of the next walk; called as it begins.
+    void setAdjust(std::function<void(session::SessionOptions&)> adjust) { m_adjust = std::move(adjust); }
     /// Where the next walk is recorded; empty: it is not. A running walk keeps what it has.
     void setRecordFolder(std::function<std::optional<QString>()> nextFolder) {
         m_nextFolder = std::move(nextFolder);
@@ -112,6 +114,7 @@ private:
     double m_speed = 1.0;
     QString m_localiser = QStringLiteral("bayes-guided"); ///< users know the way from what is said
     std::function<std::optional<QString>()> m_nextFolder;
+    std::function<void(session::SessionOptions&)> m_adjust;
 
     std::unique_ptr<session::NavigationSession> m_session;
     std::shared_ptr<const session::Snapshot> m_shown;

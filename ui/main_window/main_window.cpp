@@ -9,6 +9,7 @@
 #include "ui/live/map_panel.h"
 #include "ui/main_window/keys_dialog.h"
 #include "ui/main_window/localiser_menu.h"
+#include "ui/main_window/profile_menu.h"
 #include "ui/main_window/settings_dialog.h"
 #include "ui/main_window/source_dialog.h"
 #include "ui/main_window/window_actions.h"
@@ -66,6 +67,7 @@ MainWindow::MainWindow(Settings& settings, Walk::OpenSource open, SpeechDesk::Ma
       m_demo(new Demo(m_walk, m_simulated, this)),
       m_demoBar(new DemoBar(*this, *m_demo)),
       m_localisers(new LocaliserMenu(m_walk, settings, this)),
+      m_profiles(new ProfileMenu(settings, this)),
       m_trainingPage(new TrainingPage(
           settings, QDir(settings.workFolder()).filePath(QStringLiteral("teaching")), m_walk.opener(), this)),
       m_pages(new QStackedWidget(this)),
@@ -96,6 +98,7 @@ MainWindow::MainWindow(Settings& settings, Walk::OpenSource open, SpeechDesk::Ma
     connectDemo();
     connectTraining();
     connectSupervision();
+    connectSettings();
     showPage(Page::Walk);
     m_walk.setVerbosity(settings.verbosity());
     m_walk.setRecordFolder([this] { return nextRecording(); });
@@ -457,6 +460,7 @@ void MainWindow::changeEvent(QEvent* event) {
         m_actions->retranslate();
         m_demoBar->retranslate();
         m_localisers->retranslate();
+        m_profiles->retranslate();
         retranslate();
         showState(m_walk.state());
     }

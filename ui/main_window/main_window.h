@@ -22,6 +22,7 @@ namespace farol::ui {
 
 class DemoBar;
 class LocaliserMenu;
+class ProfileMenu;
 class MapView;
 
 class MainWindow : public QMainWindow {
@@ -36,6 +37,8 @@ public:
     void begin(const StartOptions& options);
     /// Installs the language that the settings name, or the computer's.
     static void applyLanguage(const Settings& settings);
+    static void applyLook(const Settings& settings);
+    void welcome(); ///< the page of the first start
 
     Walk& walk() { return m_walk; }
     LivePage& page() { return *m_page; }
@@ -50,6 +53,8 @@ public:
 
 protected:
     void closeEvent(QCloseEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
     void changeEvent(QEvent* event) override;
 
 private:
@@ -62,6 +67,8 @@ private:
     void connectDemo();
     void connectTraining();
     void connectSupervision();
+    void connectSettings();
+    void showHelp();
     void saveFile(const QString& caption, const QString& suggestion, const QString& filter,
                   const std::function<bool(const QString&)>& write);
     MapView& shownMap();
@@ -90,6 +97,7 @@ private:
     Demo* m_demo; ///< after the page, which must know a map before places in it are chosen
     DemoBar* m_demoBar;
     LocaliserMenu* m_localisers;
+    ProfileMenu* m_profiles;
     TrainingPage* m_trainingPage;
     QStackedWidget* m_pages;
     QTabBar* m_pageTabs;

@@ -1,13 +1,19 @@
 #include "ui/main_window/settings_dialog.h"
 
+#include "ui/main_window/option_form.h"
+
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QFileDialog>
 #include <QFormLayout>
 #include <QHBoxLayout>
+#include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSlider>
+#include <QTabBar>
+#include <QTabWidget>
+#include <QVBoxLayout>
 
 namespace farol::ui {
 
@@ -18,13 +24,23 @@ void name(QWidget* widget, const QString& accessible, const QString& tip) {
     widget->setToolTip(tip);
 }
 
+/// Of a field that shares its row with a button.
+QLabel* labelFor(const QString& text, QWidget* field) {
+    auto* label = new QLabel(text, field->parentWidget());
+    label->setBuddy(field);
+    return label;
+}
+
 } // namespace
 
 SettingsDialog::SettingsDialog(Settings& settings, QWidget* parent)
     : QDialog(parent),
       m_settings(settings),
+      m_tabs(new QTabWidget(this)),
       m_language(new QComboBox(this)),
+      m_look(new QComboBox(this)),
       m_style(new QComboBox(this)),
+      m_unit(new QComboBox(this)),
       m_verbosity(new QComboBox(this)),
       m_engine(new QComboBox(this)),
       m_voice(new QComboBox(this)),
@@ -32,16 +48,44 @@ SettingsDialog::SettingsDialog(Settings& settings, QWidget* parent)
       m_volume(new QSlider(Qt::Horizontal, this)),
       m_folder(new QLineEdit(this)) {
     setWindowTitle(tr("Settings"));
-    auto* form = new QFormLayout(this);
-    form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
-    buildWords(*form);
-    buildVoice(*form);
-    buildFolder(*form);
+    m_tabs->setAccessibleName(tr("Pages of the settings"));
+    m_tabs->tabBar()->setAccessibleName(tr("Pages of the settings"));
+    const auto page = [this](const QString& title) {
+        auto* box = new QWidget(m_tabs);
+        auto* form = new QFormLayout(box);
+        form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+        m_tabs->addTab(box, title);
+        return form;
+    };
+    QFormLayout* general = page(tr("General"));
+    buildWords(*general);
+    buildFolder(*general);
+    buildVoice(*page(tr("Voice")));
+    addForms();
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
-    form->addRow(buttons);
+    auto* layout = new QVBoxLayout(this);
+    layout->addWidget(m_tabs, 1);
+    layout->addWidget(buttons);
     connect(buttons, &QDialogButtonBox::accepted, this, &SettingsDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    setMinimumWidth(460);
+    setMinimumWidth(560);
+}
+
+void SettingsDialog::addForms() {
+    const auto add = [this](const QString& title, OptionForm* form) {
+        m_tabs->addTab(form, title);
+        m_forms.push_back(form);
+    };
+    add(tr("Guidance"), new OptionForm(m_settings, guidanceFields(),
+                                       tr("When something is said. From the next start of a walk."), m_tabs));
+    add(tr("Routes"), new OptionForm(m_settings, routeFields(),
+                                     tr("Which way is chosen. From the next start of a walk."), m_tabs));
+    add(tr("Recognition"),
+        new OptionForm(
+            m_settings, recogniserFields(),
+            tr("How sure a landmark must be before it counts. Lower figures find more, and more that is "
+               "wrong: leave them unless you can check. From the next start of a walk."),
+            m_tabs));
 }
 
 void SettingsDialog::buildWords(QFormLayout& form) {
@@ -52,10 +96,20 @@ void SettingsDialog::buildWords(QFormLayout& form) {
     name(m_language, tr("Language"), tr("Language of the window and of the voice"));
     form.addRow(tr("&Language:"), m_language);
 
+    m_look->addItems({tr("As the computer is set"), tr("Light"), tr("Dark")});
+    m_look->setCurrentIndex(static_cast<int>(m_settings.look()));
+    name(m_look, tr("Colours"), tr("Light or dark windows"));
+    form.addRow(tr("&Colours:"), m_look);
+
     m_style->addItems({tr("Left and right"), tr("Hours of a clock"), tr("Degrees")});
     m_style->setCurrentIndex(static_cast<int>(m_settings.directionStyle()));
     name(m_style, tr("Directions"), tr("How turns are told"));
     form.addRow(tr("&Directions:"), m_style);
+
+    m_unit->addItems({tr("Metres"), tr("Feet"), tr("Steps")});
+    m_unit->setCurrentIndex(static_cast<int>(m_settings.unit()));
+    name(m_unit, tr("Distances"), tr("How distances are told"));
+    form.addRow(tr("Dis&tances:"), m_unit);
 
     m_verbosity->addItems({tr("The way only"), tr("The way and objects"), tr("The way, objects and texts")});
     m_verbosity->setCurrentIndex(static_cast<int>(m_settings.verbosity()));
@@ -84,7 +138,7 @@ void SettingsDialog::buildVoice(QFormLayout& form) {
     auto* row = new QHBoxLayout;
     row->addWidget(m_voice, 1);
     row->addWidget(list);
-    form.addRow(tr("V&oice:"), row);
+    form.addRow(labelFor(tr("V&oice:"), m_voice), row);
 
     m_rate->setRange(-100, 100);
     m_rate->setValue(static_cast<int>(voice.rate * 100.0));
@@ -109,7 +163,7 @@ void SettingsDialog::buildFolder(QFormLayout& form) {
     auto* row = new QHBoxLayout;
     row->addWidget(m_folder, 1);
     row->addWidget(browse);
-    form.addRow(tr("&Recordings:"), row);
+    form.addRow(labelFor(tr("&Recordings:"), m_folder), row);
 }
 
 void SettingsDialog::fillVoices() {
@@ -134,6 +188,9 @@ void SettingsDialog::accept() {
     m_settings.setVoice(voice);
     m_settings.setDirectionStyle(static_cast<DirectionStyle>(m_style->currentIndex()));
     m_settings.setVerbosity(static_cast<guidance::Verbosity>(m_verbosity->currentIndex()));
+    m_settings.setUnit(static_cast<DistanceUnit>(m_unit->currentIndex()));
+    for (const OptionForm* form : m_forms) form->store(m_settings);
+    m_settings.setLook(static_cast<Look>(m_look->currentIndex()));
     m_settings.setRecordingFolder(m_folder->text().trimmed());
     m_settings.setLanguage(m_language->currentData().toString());
     QDialog::accept();

@@ -111,7 +111,9 @@ void WindowActions::buildMenus() {
     previousPane = add(m_view, {Qt::SHIFT | Qt::Key_F6});
 
     m_help = bar->addMenu(QString());
-    keys = add(m_help, {Qt::Key_F1});
+    help = add(m_help, {Qt::Key_F1});
+    welcome = add(m_help);
+    keys = add(m_help, {Qt::SHIFT | Qt::Key_F1});
     about = add(m_help);
     quit->setMenuRole(QAction::QuitRole);
     about->setMenuRole(QAction::AboutRole);
@@ -176,6 +178,10 @@ void WindowActions::setPlaying(bool playing) {
 
 void WindowActions::addPageMenu(QMenu& menu) {
     m_window.menuBar()->insertMenu(m_view->menuAction(), &menu);
+}
+
+void WindowActions::addToFileMenu(QMenu& menu) {
+    m_file->insertMenu(settings, &menu);
 }
 
 void WindowActions::addToWalkMenu(QMenu& menu) {
@@ -275,6 +281,8 @@ void WindowActions::retranslate() {
     name(previousPane, tr("&Previous part of the window"), tr("Previous"),
          tr("Go to the previous part of the window"));
 
+    name(help, tr("&Help"), tr("Help"), tr("How the page that is shown is used"));
+    name(welcome, tr("&Welcome"), tr("Welcome"), tr("The page of the first start"));
     name(keys, tr("&Keys"), tr("Keys"), tr("Every key of this window"));
     name(about, tr("&About Farol"), tr("About"), tr("What Farol is"));
 

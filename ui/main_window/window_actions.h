@@ -33,7 +33,7 @@ public:
     QAction *here, *wrong, *sayThis, *revote, *savePicture, *saveWalk;
     QAction *walkPage, *mapPage, *landmarksPage;
     QAction *grid, *rejected, *follow, *fitMap, *zoomIn, *zoomOut, *nextPane, *previousPane;
-    QAction *english, *portuguese, *keys, *about;
+    QAction *english, *portuguese, *help, *welcome, *keys, *about;
     QMenu *recentMaps, *recentLibraries, *recentSources;
     QComboBox* speed;
 
@@ -41,6 +41,7 @@ public:
     void setPlaying(bool playing); ///< the first command is Pause while a walk runs
     /// Puts a page's own menu behind those of the walk.
     void addPageMenu(QMenu& menu);
+    void addToFileMenu(QMenu& menu);
     void addToWalkMenu(QMenu& menu);
     /// The tool bar, and what makes no sense while another page is shown, follow the page.
     void showPage(Page page);

@@ -1,5 +1,7 @@
 #include "ui/settings/settings.h"
 
+#include "ui/settings/option_fields.h"
+
 #include <QDir>
 #include <QFileInfo>
 #include <QStandardPaths>
@@ -29,12 +31,16 @@ const QString kGrid = QStringLiteral("view/grid");
 const QString kRejected = QStringLiteral("view/rejected");
 const QString kSpeed = QStringLiteral("walk/speed");
 const QString kRecordings = QStringLiteral("walk/recording-folder");
+const QString kLook = QStringLiteral("window/look");
+const QString kWelcomed = QStringLiteral("window/welcomed");
+const QString kProfile = QStringLiteral("profile");
 const QString kGeometry = QStringLiteral("window/geometry");
 
 const QStringList kDirectionNames{QStringLiteral("left-right"), QStringLiteral("clock"),
                                   QStringLiteral("degrees")};
 const QStringList kVerbosityNames{QStringLiteral("directions"), QStringLiteral("objects"),
                                   QStringLiteral("objects-and-texts")};
+const QStringList kLookNames{QStringLiteral("system"), QStringLiteral("light"), QStringLiteral("dark")};
 const QStringList kUnitNames{QStringLiteral("metres"), QStringLiteral("feet"), QStringLiteral("steps")};
 
 QString recentKey(RecentKind kind) {
@@ -68,7 +74,14 @@ Settings::Settings(const QString& file, QObject* parent)
       m_store(file.isEmpty() ? std::make_unique<QSettings>(QSettings::IniFormat, QSettings::UserScope,
                                                            QStringLiteral("farol"), QStringLiteral("farol"))
                              : std::make_unique<QSettings>(file, QSettings::IniFormat)),
-      m_own(file.isEmpty()) {}
+      m_own(file.isEmpty()) {
+    m_mainFile = m_store->fileName();
+    const QString last = m_store->value(kProfile).toString();
+    if (profiles().contains(last)) {
+        m_profile = last;
+        m_store = openProfile(last);
+    }
+}
 
 template <class T>
 bool Settings::store(const QString& key, const T& value) {
@@ -219,6 +232,95 @@ void Settings::addRecent(RecentKind kind, const QString& item) {
 void Settings::clearRecent(RecentKind kind) {
     m_store->remove(recentKey(kind));
     Q_EMIT recentChanged();
+}
+
+Look Settings::look() const {
+    return choiceIn(*m_store, kLook, kLookNames, Look::System);
+}
+
+void Settings::setLook(Look look) {
+    if (store(kLook, kLookNames.at(static_cast<int>(look)))) Q_EMIT lookChanged();
+}
+
+bool Settings::firstRun() const {
+    return !m_store->value(kWelcomed, false).toBool() && recent(RecentKind::Map).isEmpty();
+}
+
+void Settings::setFirstRunDone() {
+    store(kWelcomed, true);
+}
+
+std::optional<double> Settings::option(const QString& key) const {
+    bool fine = false;
+    const double value = m_store->value(QStringLiteral("options/") + key).toDouble(&fine);
+    return fine && std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
+void Settings::setOption(const QString& key, const std::optional<double>& value) {
+    const QString name = QStringLiteral("options/") + key;
+    if (value)
+        store(name, *value);
+    else
+        m_store->remove(name);
+}
+
+guidance::GuidanceOptions Settings::guidanceOptions(guidance::GuidanceOptions base) const {
+    return changed(*this, base, guidanceFields());
+}
+
+routing::RouteOptions Settings::routeOptions(routing::RouteOptions base) const {
+    return changed(*this, base, routeFields());
+}
+
+recognition::RecogniserOptions Settings::recogniserOptions(recognition::RecogniserOptions base) const {
+    return changed(*this, base, recogniserFields());
+}
+
+QString Settings::profileFolder() const {
+    return QFileInfo(m_mainFile).dir().filePath(QStringLiteral("profiles"));
+}
+
+std::unique_ptr<QSettings> Settings::openProfile(const QString& name) const {
+    const QString file =
+        name.isEmpty() ? m_mainFile : QDir(profileFolder()).filePath(name + QStringLiteral(".ini"));
+    return std::make_unique<QSettings>(file, QSettings::IniFormat);
+}
+
+QStringList Settings::profiles() const {
+    QStringList names{QString()};
+    for (const QFileInfo& file :
+         QDir(profileFolder()).entryInfoList({QStringLiteral("*.ini")}, QDir::Files, QDir::Name))
+        names << file.completeBaseName();
+    return names;
+}
+
+bool Settings::useProfile(const QString& name) {
+    const bool possible = !name.contains(QLatin1Char('/')) && !name.contains(QLatin1Char('\\')) &&
+                          !name.startsWith(QLatin1Char('.')) && name.size() <= 80;
+    if (!possible) return false;
+    if (name == m_profile) return true;
+    const bool fresh = !profiles().contains(name);
+    if (fresh && !QDir().mkpath(profileFolder())) return false;
+    std::unique_ptr<QSettings> next = openProfile(name);
+    if (fresh)
+        for (const QString& key : m_store->allKeys())
+            if (key != kProfile) next->setValue(key, m_store->value(key));
+    next->sync();
+    if (next->status() != QSettings::NoError) return false;
+    m_store->sync();
+    m_store = std::move(next);
+    m_profile = name;
+    QSettings main(m_mainFile, QSettings::IniFormat);
+    main.setValue(kProfile, name);
+    Q_EMIT profileChanged();
+    Q_EMIT languageChanged();
+    Q_EMIT voiceChanged();
+    Q_EMIT mutedChanged(muted());
+    Q_EMIT guidanceChanged();
+    Q_EMIT displayChanged();
+    Q_EMIT recentChanged();
+    Q_EMIT lookChanged();
+    return true;
 }
 
 QString Settings::workFolder() const {

@@ -2,6 +2,8 @@
 // What the user chose, kept between runs. Typed: nobody else reads QSettings.
 
 #include "core/guidance/cue_scheduler.h"
+#include "core/recognition/landmark_recogniser.h"
+#include "core/routing/route.h"
 #include "ui/speech/phrasebook.h"
 #include "ui/speech/speech_output.h"
 
@@ -12,8 +14,12 @@
 #include <QStringList>
 
 #include <memory>
+#include <optional>
 
 namespace farol::ui {
+
+/// Colours: as the desktop has them, or as the user wants them.
+enum class Look { System, Light, Dark };
 
 enum class RecentKind { Map, Library, Source };
 
@@ -38,6 +44,26 @@ public:
     void setUnit(DistanceUnit unit);
     guidance::Verbosity verbosity() const;
     void setVerbosity(guidance::Verbosity verbosity);
+
+    Look look() const;
+    void setLook(Look look);
+    bool firstRun() const; ///< nothing was ever chosen
+    void setFirstRunDone();
+
+    /// The options of a walk as the user changed them; what was not changed is as in `base`.
+    guidance::GuidanceOptions guidanceOptions(guidance::GuidanceOptions base) const;
+    routing::RouteOptions routeOptions(routing::RouteOptions base) const;
+    recognition::RecogniserOptions recogniserOptions(recognition::RecogniserOptions base) const;
+    /// One figure of these, by its key (option_fields.h); empty: as the program has it.
+    std::optional<double> option(const QString& key) const;
+    void setOption(const QString& key, const std::optional<double>& value);
+
+    /// Everything here belongs to the profile of one user; the first has no name.
+    QStringList profiles() const;
+    QString profile() const { return m_profile; }
+    /// Another profile, made as a copy of this one where there is none of that name yet. False for a name
+    /// that can be no file.
+    bool useProfile(const QString& name);
 
     /// How places are worked out; the first is the default.
     static QStringList localisers();
@@ -79,12 +105,18 @@ Q_SIGNALS:
     void guidanceChanged(); ///< direction style, unit or verbosity
     void displayChanged();  ///< grid, rejected candidates, following
     void recentChanged();
+    void lookChanged();
+    void profileChanged();
 
 private:
     template <class T>
     bool store(const QString& key, const T& value);
 
     std::unique_ptr<QSettings> m_store;
+    std::unique_ptr<QSettings> openProfile(const QString& name) const;
+    QString profileFolder() const;
+
+    QString m_mainFile, m_profile;
     bool m_own = true; ///< the user's own settings
 };
 

@@ -508,6 +508,108 @@
     </message>
 </context>
 <context>
+    <name>farol::ui::Figures</name>
+    <message>
+        <source>Votes over time</source>
+        <translation>Votos ao longo do tempo</translation>
+    </message>
+    <message>
+        <source>seconds</source>
+        <translation>segundos</translation>
+    </message>
+    <message>
+        <source>votes</source>
+        <translation>votos</translation>
+    </message>
+    <message>
+        <source>Start a walk first.</source>
+        <translation>Comece primeiro um percurso.</translation>
+    </message>
+    <message>
+        <source>How long pictures took to understand</source>
+        <translation>Quanto tempo levou a analisar as imagens</translation>
+    </message>
+    <message>
+        <source>milliseconds</source>
+        <translation>milissegundos</translation>
+    </message>
+    <message>
+        <source>pictures</source>
+        <translation>imagens</translation>
+    </message>
+    <message>
+        <source>How sure, and how right</source>
+        <translation>Quão certo, e quão correto</translation>
+    </message>
+    <message>
+        <source>told confidence</source>
+        <translation>confiança indicada</translation>
+    </message>
+    <message>
+        <source>share that was right</source>
+        <translation>parte que estava certa</translation>
+    </message>
+    <message>
+        <source>The truth is known in simulated walks only: start the demonstration.</source>
+        <translation>Só em percursos simulados se sabe a verdade: inicie a demonstração.</translation>
+    </message>
+    <message>
+        <source>this walk</source>
+        <translation>este percurso</translation>
+    </message>
+    <message>
+        <source>From how far each landmark is found</source>
+        <translation>De que distância se encontra cada ponto</translation>
+    </message>
+    <message>
+        <source>landmarks</source>
+        <translation>pontos de referência</translation>
+    </message>
+    <message>
+        <source>metres</source>
+        <translation>metros</translation>
+    </message>
+    <message>
+        <source>Check the library on the Landmarks page first (F7); landmarks need a real size.</source>
+        <translation>Verifique primeiro a biblioteca na página dos pontos de referência (F7); os pontos precisam do tamanho real.</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::FiguresDialog</name>
+    <message>
+        <source>Figures</source>
+        <translation>Gráficos</translation>
+    </message>
+    <message>
+        <source>Charts</source>
+        <translation>Gráficos</translation>
+    </message>
+    <message>
+        <source>Which chart is shown</source>
+        <translation>Que gráfico se mostra</translation>
+    </message>
+    <message>
+        <source>&amp;Save as PNG or SVG…</source>
+        <translation>&amp;Guardar como PNG ou SVG…</translation>
+    </message>
+    <message>
+        <source>Save the chart</source>
+        <translation>Guardar o gráfico</translation>
+    </message>
+    <message>
+        <source>Save the chart as a picture, or as a drawing that stays sharp</source>
+        <translation>Guardar o gráfico como imagem, ou como desenho que fica nítido</translation>
+    </message>
+    <message>
+        <source>Charts (%1)</source>
+        <translation>Gráficos (%1)</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written. Choose another folder.</source>
+        <translation>Não é possível escrever %1. Escolha outra pasta.</translation>
+    </message>
+</context>
+<context>
     <name>farol::ui::FindingModel</name>
     <message>
         <source>Error</source>
@@ -7099,6 +7201,18 @@ Ligue a câmara, ou escolha imagens ou uma gravação.</translation>
     <message>
         <source>The page of the first start</source>
         <translation>A página do primeiro arranque</translation>
+    </message>
+    <message>
+        <source>Fi&amp;gures…</source>
+        <translation>&amp;Gráficos…</translation>
+    </message>
+    <message>
+        <source>Figures</source>
+        <translation>Gráficos</translation>
+    </message>
+    <message>
+        <source>Charts of the votes, of the time that pictures took, and of how far landmarks are found</source>
+        <translation>Gráficos dos votos, do tempo das imagens e da distância a que os pontos se encontram</translation>
     </message>
 </context>
 <context>

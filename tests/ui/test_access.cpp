@@ -8,6 +8,7 @@
 #include "ui/convert/convert.h"
 #include "ui/convert/palettes.h"
 #include "ui/live/revote_dialog.h"
+#include "ui/main_window/figures_dialog.h"
 #include "ui/main_window/help_dialog.h"
 #include "ui/main_window/keys_dialog.h"
 #include "ui/main_window/main_window.h"
@@ -112,6 +113,7 @@ void AccessTest::make() {
     m_settings = std::make_unique<Settings>(m_folder.filePath(QStringLiteral("settings.ini")));
     m_settings->setLanguage(QStringLiteral("en"));
     MainWindow::applyLanguage(*m_settings);
+    MainWindow::applyLook(*m_settings);
     const auto open = [](const std::string&,
                          const capture::SourceOptions&) -> Result<std::unique_ptr<capture::FrameSource>> {
         return std::unique_ptr<capture::FrameSource>(std::make_unique<test::FakeSource>(3, 0.3));
@@ -302,6 +304,7 @@ void AccessTest::everyDialog() {
     check(new SourceDialog({QStringLiteral("camera:0"), 0.0}), "pictures");
     check(new WelcomeDialog(*m_settings), "welcome");
     check(new HelpDialog, "help");
+    check(new FiguresDialog({Figures::votes(m_window->page().timeline(), nullptr)}), "figures");
     check(new KeysDialog(m_window->actions().withKeys()), "keys");
     check(new EditTemplateDialog(library.templates.front()), "change landmark");
     check(new RevoteDialog(m_folder.path(), {{QStringLiteral("voting"), QStringLiteral("Voting")}}),

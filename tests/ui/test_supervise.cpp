@@ -8,6 +8,7 @@
 #include "ui/live/map_panel.h"
 #include "ui/live/revote_dialog.h"
 #include "ui/live/timeline_bar.h"
+#include "ui/main_window/figures_dialog.h"
 #include "ui/main_window/main_window.h"
 #include "ui/parts/banner.h"
 
@@ -18,6 +19,7 @@
 #include <QFileDialog>
 #include <QInputDialog>
 #include <QLineEdit>
+#include <QListWidget>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTableView>
@@ -55,6 +57,8 @@ private Q_SLOTS:
     void theTimelineLooksBack();
     void aLongWalkTakesNoMoreMemory();
     void pictureAndTableAreSaved();
+    void figuresAreDrawnAndSaved();
+    void figuresWithoutMaterialSayWhatToDo();
     void aRecordedWalkIsWorkedOutAnew();
     void aFolderThatIsNoRecordingIsTold();
 
@@ -133,7 +137,8 @@ void SuperviseTest::theVoteIsExplained() {
     QVERIFY(column(VoteDetailModel::What).contains(QStringLiteral("Ppos")));
     page.show(test::handMadeSnapshot());
     QVERIFY(column(VoteDetailModel::What).contains(QStringLiteral("Ppos")));
-    QVERIFY(column(VoteDetailModel::Meaning).contains(QStringLiteral("none of the objects last seen stands there")));
+    QVERIFY(column(VoteDetailModel::Meaning)
+                .contains(QStringLiteral("none of the objects last seen stands there")));
     QCOMPARE(page.chosenRegion(), RegionId("r1"));
 }
 
@@ -246,6 +251,68 @@ void SuperviseTest::pictureAndTableAreSaved() {
                 .banners()
                 .text(QStringLiteral("saved"))
                 .contains(QLatin1String("cannot be written")));
+}
+
+void SuperviseTest::figuresAreDrawnAndSaved() {
+    begin(1);
+    WalkTimeline& timeline = m_window->page().timeline();
+    for (int i = 0; i < 10; ++i) timeline.add(*at(1.0 + i, "c", 0.1 * i));
+    key(Qt::Key_F, Qt::ControlModifier | Qt::ShiftModifier);
+    auto* dialog = m_window->findChild<FiguresDialog*>();
+    QVERIFY(dialog);
+    QCOMPARE(dialog->list().count(), 4);
+    const ChartSeries& first = dialog->view().chart().lines.at(0);
+    QCOMPARE(first.name, QStringLiteral("Main corridor"));
+    QCOMPARE(first.points.size(), std::size_t{10});
+    QCOMPARE(first.points.front(), QPointF(1.0, 6.0));
+    const QString picture = m_folder.filePath(QStringLiteral("votes.png"));
+    QVERIFY(dialog->view().save(picture));
+    QCOMPARE(QImage(picture).size(), QSize(1280, 800));
+    const QString drawing = m_folder.filePath(QStringLiteral("votes.svg"));
+    QVERIFY(dialog->view().save(drawing));
+    QFile file(drawing);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    QVERIFY(file.readAll().contains("Main corridor"));
+    QVERIFY(!dialog->view().save(m_folder.filePath(QStringLiteral("no/such/votes.svg"))));
+    dialog->list().setFocus();
+    QTest::keyClick(&dialog->list(), Qt::Key_Down);
+    double pictures = 0.0;
+    for (const double bar : dialog->view().chart().bars) pictures += bar;
+    QCOMPARE(pictures, 10.0);
+    const QString folder = qEnvironmentVariable("FAROL_SHOTS");
+    if (!folder.isEmpty()) QFile::copy(picture, QDir(folder).filePath(QStringLiteral("votes.png")));
+}
+
+void SuperviseTest::figuresWithoutMaterialSayWhatToDo() {
+    const WalkTimeline timeline;
+    Calibration calibration;
+    for (const Chart& chart : {Figures::votes(timeline, nullptr), Figures::latency(timeline),
+                               Figures::calibration(calibration), Figures::ranges({})}) {
+        QVERIFY(chart.empty());
+        QVERIFY(!chart.missing.isEmpty());
+        ChartView view;
+        view.setChart(chart);
+        QCOMPARE(view.accessibleDescription(), chart.missing);
+        QVERIFY(!view.grab().isNull());
+    }
+    for (int i = 0; i < 4; ++i) calibration.note(0.85, i != 0);
+    calibration.note(1.0, true);
+    const Chart chart = Figures::calibration(calibration);
+    QCOMPARE(chart.lines.at(0).points, (std::vector<QPointF>{{0.85, 0.75}, {0.95, 1.0}}));
+    QCOMPARE(niceTicks(10.0, 5), (std::vector<double>{0.0, 2.0, 4.0, 6.0, 8.0, 10.0}));
+    QCOMPARE(niceTicks(0.0, 5), std::vector<double>{0.0});
+    recognition::TemplateCheck check;
+    check.id = TemplateId("poster-1");
+    check.farthestM = 7.5;
+    const Chart ranges = Figures::ranges({check});
+    QCOMPARE(ranges.bars, std::vector<double>{7.5});
+    QCOMPARE(ranges.barNames, QStringList{QStringLiteral("poster-1")});
+    ChartView view;
+    view.resize(640, 400);
+    view.setChart(ranges);
+    QVERIFY(view.accessibleDescription().contains(QLatin1String("7.5")));
+    const QString folder = qEnvironmentVariable("FAROL_SHOTS");
+    if (!folder.isEmpty()) view.grab().save(QDir(folder).filePath(QStringLiteral("ranges.png")));
 }
 
 void SuperviseTest::aRecordedWalkIsWorkedOutAnew() {

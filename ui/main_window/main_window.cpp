@@ -211,8 +211,11 @@ void MainWindow::connectDemo() {
     connect(m_demo, &Demo::changed, this, tell);
     connect(&m_walk, &Walk::snapshotChanged, this, [this] {
         std::optional<TruePlace> place;
-        if (const auto truth = m_demo->truth())
+        if (const auto truth = m_demo->truth()) {
             place = TruePlace{truth->pose.position, truth->pose.level, truth->pose.heading, truth->region};
+            const localisation::Fix& fix = m_walk.snapshot()->step.fix;
+            if (fix.region) m_calibration.note(fix.confidence, *fix.region == truth->region);
+        }
         m_page->mapPanel().setTruth(place);
     });
     connect(&m_settings, &Settings::languageChanged, this, tell);

@@ -6,6 +6,7 @@
 #include "ui/live/live_page.h"
 #include "ui/live/speech_desk.h"
 #include "ui/live/walk.h"
+#include "ui/main_window/figures.h"
 #include "ui/main_window/start_options.h"
 #include "ui/main_window/window_actions.h"
 #include "ui/settings/settings.h"
@@ -98,6 +99,7 @@ private:
     DemoBar* m_demoBar;
     LocaliserMenu* m_localisers;
     ProfileMenu* m_profiles;
+    Calibration m_calibration; ///< of the walk that is shown, where its truth is known
     TrainingPage* m_trainingPage;
     QStackedWidget* m_pages;
     QTabBar* m_pageTabs;

@@ -5,6 +5,7 @@
 #include "ui/main_window/main_window.h"
 #include "ui/main_window/profile_menu.h"
 #include "ui/main_window/welcome_dialog.h"
+#include "ui/parts/readable_style.h"
 
 #include <QAction>
 #include <QApplication>
@@ -20,6 +21,7 @@
 namespace farol::ui {
 
 void MainWindow::applyLook(const Settings& settings) {
+    if (!qobject_cast<ReadableStyle*>(QApplication::style())) QApplication::setStyle(new ReadableStyle);
     if (settings.look() == Look::System)
         QApplication::setPalette(QPalette());
     else

@@ -3,9 +3,11 @@
 #include "ui/convert/convert.h"
 #include "ui/live/frame_panel.h"
 #include "ui/live/revote_dialog.h"
+#include "ui/main_window/figures_dialog.h"
 #include "ui/main_window/localiser_menu.h"
 #include "ui/main_window/main_window.h"
 #include "ui/parts/banner.h"
+#include "ui/training/library_panel.h"
 
 #include <QAction>
 #include <QDir>
@@ -70,7 +72,19 @@ void MainWindow::connectSupervision() {
         m_walk.correct(std::nullopt);
         tell(BannerKind::Note, tr("The place is given up and looked for anew."));
     });
-    connect(&m_walk, &Walk::walkBegan, this, [this] { m_page->banners().hide(kCorrected); });
+    connect(&m_walk, &Walk::walkBegan, this, [this] {
+        m_page->banners().hide(kCorrected);
+        m_calibration = {};
+    });
+    connect(a.figures, &QAction::triggered, this, [this] {
+        auto* dialog =
+            new FiguresDialog({Figures::votes(m_page->timeline(), m_walk.building().get()),
+                               Figures::latency(m_page->timeline()), Figures::calibration(m_calibration),
+                               Figures::ranges(m_trainingPage->panel().confusion().checks())},
+                              this);
+        dialog->setAttribute(Qt::WA_DeleteOnClose);
+        dialog->open();
+    });
     connect(a.sayThis, &QAction::triggered, this, [this] {
         auto* ask = new QInputDialog(this);
         ask->setAttribute(Qt::WA_DeleteOnClose);

@@ -43,10 +43,9 @@ void ProfileMenu::askName() {
     connect(ask, &QInputDialog::textValueSelected, this, [this](const QString& text) {
         const QString name = text.trimmed();
         if (name.isEmpty() || m_settings.useProfile(name)) return;
-        auto* box =
-            new QMessageBox(QMessageBox::Warning, tr("New user"),
-                            tr("“%1” cannot be used as a name: it must not hold a slash.").arg(name),
-                            QMessageBox::Ok, parentWidget());
+        auto* box = new QMessageBox(QMessageBox::Warning, tr("New user"),
+                                    tr("“%1” cannot be used as a name: it must not hold a slash.").arg(name),
+                                    QMessageBox::Ok, parentWidget());
         box->setAttribute(Qt::WA_DeleteOnClose);
         box->open();
     });

@@ -77,6 +77,7 @@ void WindowActions::buildMenus() {
     m_walk->addSeparator();
     record = add(m_walk, {Qt::CTRL | Qt::SHIFT | Qt::Key_R}, true);
     revote = add(m_walk);
+    figures = add(m_walk, {Qt::CTRL | Qt::SHIFT | Qt::Key_F});
 
     m_voice = bar->addMenu(QString());
     repeat = add(m_voice, {Qt::CTRL | Qt::Key_R});
@@ -256,6 +257,8 @@ void WindowActions::retranslate() {
     name(wrong, tr("That is &wrong"), tr("Wrong"), tr("The place shown is wrong: look for it anew"));
     name(revote, tr("&Work out a recorded walk anew…"), tr("Anew"),
          tr("Compare a recorded walk with the same walk worked out otherwise"));
+    name(figures, tr("Fi&gures…"), tr("Figures"),
+         tr("Charts of the votes, of the time that pictures took, and of how far landmarks are found"));
     name(sayThis, tr("&Say this…"), tr("Say"), tr("Type a sentence that is spoken to the user"));
     name(savePicture, tr("Sa&ve the picture…"), tr("Picture"),
          tr("Save what the camera sees, with what was recognised"));

@@ -30,7 +30,7 @@ public:
     QAction *openMap, *openLibrary, *closeLibrary, *openSource, *settings, *quit;
     QAction *play, *step, *stop, *record, *faster, *slower;
     QAction *destination, *start, *noDestination, *repeat, *mute;
-    QAction *here, *wrong, *sayThis, *revote, *savePicture, *saveWalk;
+    QAction *here, *wrong, *sayThis, *revote, *figures, *savePicture, *saveWalk;
     QAction *walkPage, *mapPage, *landmarksPage;
     QAction *grid, *rejected, *follow, *fitMap, *zoomIn, *zoomOut, *nextPane, *previousPane;
     QAction *english, *portuguese, *help, *welcome, *keys, *about;

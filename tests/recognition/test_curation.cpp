@@ -1,6 +1,7 @@
 // What the landmark curator leans on: changes to a library as steps that can be taken back, and advice on
 // photographs.
 
+#include "core/capture/picture.h"
 #include "core/recognition/library_check.h"
 #include "core/recognition/library_edit.h"
 #include "core/recognition/training.h"
@@ -8,6 +9,8 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include <cstdlib>
+#include <filesystem>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -137,6 +140,26 @@ TEST(ViewCoach, SaysWhatIsWrongWithAPhotograph) {
     EXPECT_THAT(problems(good, quadOf({160, 120, 900, 240})), ElementsAre(Advice::BadOutline));
     EXPECT_THAT(problems(good, quadOf({160, 120, 0.4, 0.4})), Not(IsEmpty()));
     EXPECT_THAT(judgePicture(good, Kind::Place, std::nullopt, extractor).problems, IsEmpty());
+}
+
+// Photographs of a real, dim corridor, of which a library is trained: the coach must not talk people out of
+// them.
+TEST(ViewCoach, AcceptsRealPhotographsOfADimCorridor) {
+    const char* data = std::getenv("FAROL_DATA");
+    const std::filesystem::path folder =
+        std::filesystem::path(data != nullptr ? data : "") / "images/corridor_walk";
+    if (!std::filesystem::is_directory(folder)) GTEST_SKIP() << "no " << folder.string();
+    int seen = 0, good = 0;
+    for (int i = 1; i <= 80; i += 4) {
+        auto picture = capture::readPicture(folder / (std::to_string(i) + ".jpg"));
+        if (!picture) continue;
+        ++seen;
+        const PictureQuality quality = judgePicture(*picture, Kind::Place, std::nullopt, {});
+        if (quality.problems.empty()) ++good;
+    }
+    RecordProperty("good", good);
+    ASSERT_GE(seen, 15);
+    EXPECT_GE(good, seen * 8 / 10) << good << " of " << seen;
 }
 
 TEST(ViewCoach, AsksForWhatTheViewsLack) {

@@ -111,7 +111,7 @@ void AccessTest::make() {
     m_window.reset();
     QDir(m_folder.filePath(QStringLiteral("teaching"))).removeRecursively();
     m_settings = std::make_unique<Settings>(m_folder.filePath(QStringLiteral("settings.ini")));
-    m_settings->setLanguage(QStringLiteral("en"));
+    m_settings->setLanguage(qEnvironmentVariable("FAROL_SHOTS_LANGUAGE", QStringLiteral("en")));
     MainWindow::applyLanguage(*m_settings);
     MainWindow::applyLook(*m_settings);
     const auto open = [](const std::string&,

@@ -1,6 +1,7 @@
 #include "ui/curation/map_actions.h"
 
 #include "ui/convert/glyphs.h"
+#include "ui/parts/naming.h"
 
 #include <QAction>
 #include <QKeySequence>
@@ -94,13 +95,7 @@ void MapActions::refreshIcons() {
 }
 
 void MapActions::retranslate() {
-    const auto name = [](QAction* action, const QString& text, const QString& brief, const QString& tip) {
-        action->setText(text);
-        action->setIconText(brief);
-        const QString shortcut = action->shortcut().toString(QKeySequence::NativeText);
-        action->setToolTip(shortcut.isEmpty() ? tip : QStringLiteral("%1 (%2)").arg(tip, shortcut));
-        action->setStatusTip(tip);
-    };
+    const auto& name = nameAction;
     m_menu->setTitle(tr("&Map"));
     m_bar->setWindowTitle(tr("Map"));
     m_bar->setAccessibleName(tr("Map"));

@@ -45,7 +45,7 @@ HelpDialog::HelpDialog(QWidget* parent)
     halves->addWidget(m_chapters);
     halves->addWidget(m_text);
     halves->setStretchFactor(1, 1);
-    halves->setSizes({180, 560});
+    halves->setSizes({250, 560});
     halves->setChildrenCollapsible(false);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
@@ -54,7 +54,7 @@ HelpDialog::HelpDialog(QWidget* parent)
     layout->addWidget(halves, 1);
     layout->addWidget(buttons);
     m_chapters->setCurrentRow(0);
-    resize(760, 560);
+    resize(840, 560);
 }
 
 void HelpDialog::showPage(Page page) {

@@ -1,5 +1,7 @@
 #include "ui/main_window/window_actions.h"
 
+#include "ui/parts/naming.h"
+
 #include <QAction>
 #include <QActionGroup>
 #include <QComboBox>
@@ -215,13 +217,7 @@ QList<QAction*> WindowActions::withKeys() const {
 }
 
 void WindowActions::retranslate() {
-    const auto name = [](QAction* action, const QString& text, const QString& brief, const QString& tip) {
-        action->setText(text);
-        action->setIconText(brief);
-        const QString shortcut = action->shortcut().toString(QKeySequence::NativeText);
-        action->setToolTip(shortcut.isEmpty() ? tip : QStringLiteral("%1 (%2)").arg(tip, shortcut));
-        action->setStatusTip(tip);
-    };
+    const auto& name = nameAction;
     m_file->setTitle(tr("&File"));
     m_walk->setTitle(tr("&Walk"));
     m_voice->setTitle(tr("V&oice"));

@@ -213,6 +213,7 @@ void LibraryPanel::fillViews() {
             if (job != m_pictureJob) return;
             for (std::size_t i = 0; i < pictures.size() && static_cast<int>(i) < m_views->count(); ++i)
                 m_views->item(static_cast<int>(i))->setIcon(QPixmap::fromImage(pictures[i]));
+            m_views->doItemsLayout(); // they were laid out without pictures
         });
 }
 

@@ -1,6 +1,7 @@
 #include "ui/training/teach_panel.h"
 
 #include "ui/convert/convert.h"
+#include "ui/parts/naming.h"
 #include "ui/training/outline_view.h"
 #include "ui/training/teach_try.h"
 #include "ui/training/teach_views.h"
@@ -176,12 +177,7 @@ void TeachPanel::refresh() {
 }
 
 void TeachPanel::retranslate() {
-    const auto name = [](QPushButton* button, const QString& text, const QString& accessible,
-                         const QString& tip) {
-        button->setText(text);
-        button->setAccessibleName(accessible);
-        button->setToolTip(tip);
-    };
+    const auto& name = nameButton;
     name(m_back, tr("&Back"), tr("Back"), tr("The step before"));
     name(m_aside, tr("Put as&ide"), tr("Put aside"),
          tr("Go back to the library and go on with this landmark later"));

@@ -3,6 +3,7 @@
 #include "ui/convert/convert.h"
 #include "ui/models/words.h"
 #include "ui/parts/frame_view.h"
+#include "ui/parts/naming.h"
 #include "ui/parts/tables.h"
 #include "ui/training/teach_session.h"
 #include "ui/training/training_words.h"
@@ -166,12 +167,7 @@ void TeachTry::refresh() {
 }
 
 void TeachTry::retranslate() {
-    const auto name = [](QPushButton* button, const QString& text, const QString& accessible,
-                         const QString& tip) {
-        button->setText(text);
-        button->setAccessibleName(accessible);
-        button->setToolTip(tip);
-    };
+    const auto& name = nameButton;
     m_intro->setText(
         tr("Walk towards it, past it and away from it, or step through other pictures, and see whether "
            "Farol finds it. Go back to add views where it is lost."));

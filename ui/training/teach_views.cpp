@@ -1,6 +1,7 @@
 #include "ui/training/teach_views.h"
 
 #include "ui/convert/convert.h"
+#include "ui/parts/naming.h"
 #include "ui/parts/tables.h"
 #include "ui/training/outline_view.h"
 #include "ui/training/teach_session.h"
@@ -325,12 +326,7 @@ void TeachViews::refresh() {
 }
 
 void TeachViews::retranslate() {
-    const auto name = [](QPushButton* button, const QString& text, const QString& accessible,
-                         const QString& tip) {
-        button->setText(text);
-        button->setAccessibleName(accessible);
-        button->setToolTip(tip);
-    };
+    const auto& name = nameButton;
     name(m_camera, tr("&Camera"), tr("Camera"), tr("Take photographs with the camera of this computer"));
     name(m_files, tr("&Pictures…"), tr("Pictures"), tr("Choose photographs from files"));
     name(m_recording, tr("&Recording…"), tr("Recording"),

@@ -1,6 +1,7 @@
 #include "ui/training/training_actions.h"
 
 #include "ui/convert/glyphs.h"
+#include "ui/parts/naming.h"
 
 #include <QAction>
 #include <QKeySequence>
@@ -80,13 +81,7 @@ void TrainingActions::refreshIcons() {
 }
 
 void TrainingActions::retranslate() {
-    const auto name = [](QAction* action, const QString& text, const QString& brief, const QString& tip) {
-        action->setText(text);
-        action->setIconText(brief);
-        const QString shortcut = action->shortcut().toString(QKeySequence::NativeText);
-        action->setToolTip(shortcut.isEmpty() ? tip : QStringLiteral("%1 (%2)").arg(tip, shortcut));
-        action->setStatusTip(tip);
-    };
+    const auto& name = nameAction;
     m_menu->setTitle(tr("&Landmarks"));
     m_bar->setWindowTitle(tr("Landmarks"));
     m_bar->setAccessibleName(tr("Landmarks"));

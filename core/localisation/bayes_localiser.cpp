@@ -3,6 +3,7 @@
 #include "core/base/text.h"
 #include "core/localisation/confidence_table.h"
 #include "core/localisation/motion_log.h"
+#include "core/localisation/quick_math.h"
 #include "core/localisation/walker_cloud.h"
 
 #include <algorithm>
@@ -253,8 +254,10 @@ void BayesLocaliser::weigh(const Observation& seen) {
     for (Walker& walker : m_cloud.walkers()) {
         Cause cause;
         float ratio = m_sensors.ratio(look, walker.region, walker.at, m_cloud.gazeOf(walker), &cause);
+        // On stairs and in lifts next to nothing is recognised.
+        if (walker.climbTo >= 0) ratio *= static_cast<float>(m_options.climbSees);
         if (ratio <= 0.0F) continue;
-        walker.weight *= std::pow(1.0F + ratio, power);
+        walker.weight *= quickExp(power * std::log(1.0F + ratio));
         if (look.hasBearing && cause.part > kCertainly * (1.0F + ratio)) m_cloud.face(walker, cause);
     }
     double after = m_cloud.totalWeight();

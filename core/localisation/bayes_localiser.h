@@ -21,6 +21,7 @@ struct WalkingOptions {
     double strayRate = 0.008;   ///< leaves the way
     bool guided = false;        ///< knows the way only from what is said: stands and searches anywhere
     double strayAtNode = 0.03;  ///< takes another door than the right one
+    double straightBack = 0.5;  ///< how gladly a stray goes back through the door just passed
     double returnRate = 0.05;   ///< finds back to the way
     double swaySigmaDeg = 24.0; ///< of the camera about the way of walking
     double swaySeconds = 1.5;   ///< and how soon it comes back
@@ -43,12 +44,14 @@ struct BayesOptions {
     double trust = 0.8;          ///< exponent of a detection's likelihood ratio
     double trustRepeated = 0.35; ///< of one like another in the last `repeatSeconds`
     double repeatSeconds = 4.0;
+    double climbSees = 0.05;     ///< what is seen on stairs and in lifts, against elsewhere
     double missTrust = 0.5;      ///< exponent of what should have been seen and was not
     double lostRate = 0.0006;    ///< per second: carried elsewhere, unseen
     double blindLostRate = 0.03; ///< the same while the camera gives nothing
     double watchSeconds = 15.0;  ///< how often some begin to look everywhere, apart from the belief
     double startTrust = 0.97;
     double resetAt = 3.5, resetShare = 0.3; ///< log evidence against the belief, and what is doubted then
+    double evenness = 0.4; ///< 0: walkers by the share of their region; 1: every region alike
     bool useMotion = true;
     bool rawConfidence = false; ///< the bare shares, for making the table of confidences
     std::uint64_t seed = 0x5eedfa201ULL;

@@ -16,6 +16,7 @@ namespace {
 
 constexpr float kSeenM = 4.6F;        // no landmark is recognised from farther away
 constexpr float kHalfViewDeg = 30.0F; // of the camera
+constexpr float kSteepness = 1.7F;    // of a logistic curve, to be like a normal one of sigma 1
 constexpr float kRadToDeg = 57.29578F;
 constexpr float kLog2 = 0.6931472F;
 constexpr double kLetters = 36.0, kGuessedLetter = 1.0 / 30.0;
@@ -360,21 +361,42 @@ float SensorModel::ratio(const Look& look, std::uint32_t region, Spot at, const 
     return sum;
 }
 
+/// Close enough to the share of a normal distribution within the picture, and much cheaper.
+float SensorModel::inPicture(float offDeg, float steepness) {
+    return 1.0F / (1.0F + quickExp(steepness * (std::abs(offDeg) - kHalfViewDeg)));
+}
+
+float SensorModel::rateOf(const Item& item, const Geometry& geometry) const {
+    double rate = m_options.detectionsPerSecond * prominence(static_cast<Kind>(item.kind));
+    return static_cast<float>(rate) * geometry.visible;
+}
+
 float SensorModel::expectedRate(std::uint32_t region, Spot at, const Gaze& gaze) const {
-    float sum = 0.0F, steep = 1.7F / (std::sqrt(gaze.variance) + 1.0F);
+    float sum = 0.0F, steep = kSteepness / (std::sqrt(gaze.variance) + 1.0F);
     for (const View& view : viewsNear(region, at)) {
         const Item& item = m_items[view.item];
         Geometry geometry;
         if (item.kind == indexOf(Kind::Place) || !geometryOf(item, view, at, geometry)) continue;
         float off = wrapDeg(quickDirectionDeg(geometry.dx, geometry.dy) - gaze.yawDeg);
-        // Close enough to the share of a normal distribution within the picture, and much cheaper.
-        float inView = 1.0F / (1.0F + quickExp(steep * (std::abs(off) - kHalfViewDeg)));
-        inView = (1.0F - gaze.unknownShare) * inView + gaze.unknownShare * 2.0F * kHalfViewDeg / 360.0F;
-        auto rate =
-            static_cast<float>(m_options.detectionsPerSecond * prominence(static_cast<Kind>(item.kind)));
-        sum += rate * geometry.visible * inView;
+        float any = gaze.unknownShare * 2.0F * kHalfViewDeg / 360.0F;
+        sum += rateOf(item, geometry) * ((1.0F - gaze.unknownShare) * inPicture(off, steep) + any);
     }
     return sum;
+}
+
+void SensorModel::expectedRates(std::uint32_t region, Spot at, float sigmaDeg,
+                                std::span<float> byDirection) const {
+    std::fill(byDirection.begin(), byDirection.end(), 0.0F);
+    float steep = kSteepness / (sigmaDeg + 1.0F), sector = 360.0F / static_cast<float>(byDirection.size());
+    for (const View& view : viewsNear(region, at)) {
+        const Item& item = m_items[view.item];
+        Geometry geometry;
+        if (item.kind == indexOf(Kind::Place) || !geometryOf(item, view, at, geometry)) continue;
+        float rate = rateOf(item, geometry), direction = quickDirectionDeg(geometry.dx, geometry.dy);
+        for (std::size_t i = 0; i < byDirection.size(); ++i)
+            byDirection[i] +=
+                rate * inPicture(wrapDeg(direction - (static_cast<float>(i) + 0.5F) * sector), steep);
+    }
 }
 
 void SensorModel::readText(const Detection& detection, Look& look, double& falseFactor) const {

@@ -22,7 +22,7 @@ float directionDeg(Spot from, Spot to) {
 }
 
 std::size_t walkersFor(std::size_t regions) {
-    return std::clamp<std::size_t>(500 + 9 * regions, 900, 3000);
+    return std::min<std::size_t>(2000 + 7 * regions / 5, 14000);
 }
 
 } // namespace
@@ -179,7 +179,7 @@ float WalkerCloud::weighNodes(const Walker& walker, std::int32_t from) {
         float turn = wrappedDeg(directionDeg(walker.at, node.at) - walker.headingDeg) / kRadToDeg;
         float weight = std::exp(1.2F * (std::cos(turn) - 1.0F)) / (1.0F + 0.1F * gap);
         if (static_cast<std::int32_t>(nodes[i]) == from)
-            weight = 0.06F; // straight back through the same door
+            weight *= static_cast<float>(m_options.walking.straightBack);
         m_nodes.push_back(nodes[i]);
         m_weights.push_back(weight);
         sum += weight;
@@ -396,8 +396,8 @@ double WalkerCloud::advance(const MotionSpan& motion, const SensorModel& sensors
         float drift = 0.02F * std::sqrt(seconds) * m_random.normal();
         walker.speed = std::clamp(walker.speed + drift, static_cast<float>(walking.slowest),
                                   static_cast<float>(walking.hurrySpeed));
-        if (missTrust > 0.0) {
-            float missed = sensors.expectedRate(walker.region, walker.at, gazeOf(walker));
+        if (missTrust > 0.0 && walker.climbTo < 0) {
+            float missed = m_rates.rateAt(sensors, walker.region, walker.at, gazeOf(walker));
             walker.weight *= quickExp(-static_cast<float>(missTrust) * missed * seconds);
         }
     }
@@ -485,17 +485,29 @@ void WalkerCloud::renew() {
 }
 
 /// The unlikely are drawn oftener than their weight asks for, and keep a smaller one: so the second best
-/// guess, needed when the first fails, is not forgotten.
+/// guess, needed when the first fails, is not forgotten. By regions: walkers of one region are much alike, so
+/// a region gets walkers by a root of its share, however often they are drawn anew.
 void WalkerCloud::renew(std::size_t first, std::size_t last, std::size_t capacity) {
-    constexpr float kEvenness = 0.6F;
     double sum = 0.0, total = 0.0, kept = 0.0;
-    for (std::size_t i = first; i < last; ++i) sum += double(m_sorted[i].weight);
-    if (!(sum > 0.0)) return;
-    m_sums.resize(last - first);
+    m_shares.resize(m_map->building().regions().size(), 0.0F);
     for (std::size_t i = first; i < last; ++i) {
-        total += double(std::pow(static_cast<float>(double(m_sorted[i].weight) / sum), kEvenness));
+        sum += double(m_sorted[i].weight);
+        m_shares[m_sorted[i].region] += m_sorted[i].weight;
+    }
+    auto power = static_cast<float>(m_options.evenness);
+    m_sums.resize(last - first);
+    for (std::size_t i = first; i < last && sum > 0.0; ++i) {
+        const Walker& walker = m_sorted[i];
+        float share = m_shares[walker.region];
+        if (share > 0.0F) { // not yet a factor: made one at the first walker of the region
+            share = -std::pow(share / static_cast<float>(sum), -power);
+            m_shares[walker.region] = share;
+        }
+        total += double(walker.weight) / sum * double(-share);
         m_sums[i - first] = total;
     }
+    for (std::size_t i = first; i < last; ++i) m_shares[m_sorted[i].region] = 0.0F;
+    if (!(total > 0.0)) return;
     std::size_t begun = m_walkers.size();
     double step = total / static_cast<double>(capacity), at = step * m_random.uniformDouble();
     for (std::size_t i = first; i < last; ++i) {

@@ -3,6 +3,7 @@
 
 #include "core/localisation/bayes_localiser.h"
 #include "core/localisation/random.h"
+#include "core/localisation/rate_cache.h"
 
 #include <vector>
 
@@ -90,10 +91,12 @@ private:
     BayesOptions m_options;
     Random m_random;
     std::size_t m_capacity;
+    RateCache m_rates;
     std::vector<Walker> m_walkers, m_sorted;
     std::vector<std::uint32_t> m_nodes;        ///< scratch of wander()
     std::vector<float> m_weights;              ///< scratch of wander() and chooseWay()
     std::vector<double> m_sums;                ///< scratch of renew()
+    std::vector<float> m_shares;               ///< of each region; scratch of renew()
     double m_speed = 0.0, m_speedSpread = 0.0; ///< of walkers yet to come: what is known of this user
     bool m_motionKnown = false;
     std::uint8_t m_watch = 1; ///< the younger

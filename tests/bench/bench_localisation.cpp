@@ -1,5 +1,6 @@
 // Tunes, calibrates and times the filter on buildings and walks of our own; nothing here sees data/walks.
 //   bench_localisation --buildings 24 --seed 100 --motion both [--set trust=0.9,...] [--each] [--trace]
+//     --plain: walkers, eyes and cameras all alike, with the rates of the study; --unknown: no start is told
 //   bench_localisation --calibrate core/localisation/confidence_table.inc --buildings 96 --seed 1000
 //   bench_localisation --write DIR --buildings 4       maps and walks in the form of data/walks
 //   bench_localisation --speed
@@ -57,6 +58,7 @@ std::map<std::string, double*> fieldsOf(BayesOptions& o) {
             {"stray", &w.strayRate},
             {"strayNode", &w.strayAtNode},
             {"return", &w.returnRate},
+            {"back", &w.straightBack},
             {"sway", &w.swaySigmaDeg},
             {"swayS", &w.swaySeconds},
             {"away", &w.looksAway},
@@ -70,6 +72,8 @@ std::map<std::string, double*> fieldsOf(BayesOptions& o) {
             {"trustRep", &o.trustRepeated},
             {"repeat", &o.repeatSeconds},
             {"miss", &o.missTrust},
+            {"climb", &o.climbSees},
+            {"even", &o.evenness},
             {"lost", &o.lostRate},
             {"blind", &o.blindLostRate},
             {"start", &o.startTrust},
@@ -98,11 +102,16 @@ bool readSettings(const std::string& text, BayesOptions& options) {
 }
 
 bool allUnknown = false; ///< --unknown: no start is told
+bool asStudied = false;  ///< --plain: habits and eyes of the localisation study, the same for all walks
 
 test::SimulatedWalk simulated(std::size_t seed, std::size_t which,
                               std::shared_ptr<const building::Building>& building) {
     if (which == 0) building = std::make_shared<building::Building>(test::variedBuildingData(seed));
     test::WalkOptions options = test::variedWalk(seed * 10 + which);
+    if (asStudied) {
+        options = {};
+        options.seed = seed * 10 + which;
+    }
     if (allUnknown) options.unknownStart = 1.0;
     return test::simulateWalk(building, options);
 }
@@ -284,7 +293,8 @@ int main(int argc, char** argv) {
         std::map<std::string, bool*> flags{{"--speed", &arguments.speed},
                                            {"--each", &arguments.each},
                                            {"--trace", &arguments.trace},
-                                           {"--unknown", &allUnknown}};
+                                           {"--unknown", &allUnknown},
+                                           {"--plain", &asStudied}};
         if (auto flag = flags.find(name); flag != flags.end()) {
             *flag->second = true;
             continue;

@@ -6,6 +6,7 @@
 #include <queue>
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <functional>
 #include <limits>
@@ -99,6 +100,8 @@ public:
           m_random(options.seed * 104729ULL + 7ULL),
           m_ways(*m_building) {
         placeThings();
+        WalkRandom eyes(options.seed * 7919ULL + 3ULL);
+        for (double& share : m_eyes) share = 1.0 - options.unevenEyes * eyes.uniform();
     }
 
     SimulatedWalk run();
@@ -137,6 +140,7 @@ private:
     std::optional<std::size_t> m_access, m_passed; ///< walked to; come through
     double m_headingDeg = 0.0, m_wantedDeg = 0.0, m_lookPhase = 0.0, m_swayPhase = 0.0;
     double m_restS = 0.0, m_climbS = 0.0, m_climbHalfS = 0.0;
+    std::array<double, static_cast<std::size_t>(Kind::Other) + 1> m_eyes{};
     int m_strays = 0;
     bool m_onRoute = true;
     std::vector<std::size_t> m_planned;
@@ -337,7 +341,7 @@ void Simulation::see(Thing& thing, double hazard) {
     if (!thing.found) return;
     Point2 to = thing.at - m_at;
     double range = length(to);
-    if (range > 4.2 || range < 0.3) return;
+    if (range > 4.2 || range < m_options.tooNearM) return;
     double bearing = wrapDegrees(toDegrees(directionOf(to)) - yawDeg());
     if (std::abs(bearing) > 30.0) return;
     double facing = 1.0;
@@ -349,6 +353,7 @@ void Simulation::see(Thing& thing, double hazard) {
     if (m_time - thing.lastSeen > 20.0) thing.luck = m_random.between(0.2, 1.8);
     thing.lastSeen = m_time;
     double prominent = thing.kind == Kind::ExitSign ? 1.6 : thing.kind == Kind::Stairs ? 1.3 : 1.0;
+    prominent *= m_eyes.at(static_cast<std::size_t>(thing.kind));
     if (m_random.chance(hazard * prominent * thing.luck * facing * far * kTickS))
         write(thing, range, bearing, false);
 }
@@ -372,7 +377,8 @@ void Simulation::invent() {
 }
 
 void Simulation::look() {
-    for (std::size_t i : m_thingsOf[m_region]) see(m_things[i], m_options.detectionPerS);
+    double eyes = m_options.detectionPerS * (m_mode == "floor" ? m_options.climbSees : 1.0);
+    for (std::size_t i : m_thingsOf[m_region]) see(m_things[i], eyes);
     for (std::size_t a : m_building->accessesOf(m_region)) {
         const Access& access = m_building->accesses()[a];
         if (access.kind != building::AccessKind::Opening) continue;
@@ -380,9 +386,9 @@ void Simulation::look() {
         if (distance(access.midpoint(), m_at) > 4.0) continue;
         for (std::size_t i : m_thingsOf[beyond])
             if (segmentsCross(m_at, m_things[i].at, access.line.front(), access.line.back()))
-                see(m_things[i], m_options.detectionPerS);
+                see(m_things[i], eyes);
     }
-    invent();
+    if (m_mode != "floor") invent();
 }
 
 void Simulation::writeTruth() {
@@ -449,6 +455,11 @@ void Simulation::leg(bool known, double mostS) {
     m_strays = 0;
     m_passed.reset();
     m_mode = "walk";
+    if (!known && m_options.looksFirstS > 0.0) {
+        m_mode = "look";
+        m_restS = m_options.looksFirstS;
+        m_lookPhase = 0.0;
+    }
     choose();
     double until = m_time + mostS;
     while (m_time < until && !finished()) tick();
@@ -511,6 +522,10 @@ WalkOptions variedWalk(std::uint64_t seed) {
     o.leastScale = 0.3;
     o.mostScale = 3.0;
     o.roomScaleSigma = random.between(0.0, 0.25);
+    o.tooNearM = random.between(0.3, 1.4);
+    o.unevenEyes = random.between(0.0, 0.8);
+    o.climbSees = random.chance(0.7) ? 0.0 : random.between(0.0, 0.5);
+    o.looksFirstS = random.chance(0.3) ? 0.0 : random.between(3.0, 12.0);
     o.stairsShow = random.chance(0.5) ? 0.0 : random.between(0.2, 1.1);
     return o;
 }

@@ -7,6 +7,7 @@
 #include "app/farol-cli/walk_inputs.h"
 #include "core/session/closed_loop_picture.h"
 #include "core/session/json_fields.h"
+#include "core/simulation/sparse_landmarks.h"
 #include "core/simulation/walk_route.h"
 
 #include <atomic>
@@ -20,8 +21,8 @@ namespace {
 struct SimulateOptions {
     std::string map, library, from, to, out, localiser = "bayes-guided", truePlace;
     std::uint64_t seed = 1;
-    bool obey = false, noVision = false, json = false, unknownStart = false, photographs = false,
-         sentences = false, transcript = false;
+    bool sparseLandmarks = false, obey = false, noVision = false, json = false, unknownStart = false,
+         photographs = false, sentences = false, transcript = false;
     double wilfulness = 0.0, framesPerSecond = 5.0, clutter = 0.3;
     int walks = 0;
 };
@@ -232,6 +233,11 @@ int simulate(const SimulateOptions& options) {
     int exitCode = kDone;
     auto building = openMap(options.map, exitCode);
     if (!building) return exitCode;
+    if (options.sparseLandmarks) {
+        building = simulation::withSparseLandmarks(*building);
+        if (!options.json)
+            warn(std::to_string(building->landmarks().size()) + " landmarks, those added by rule included");
+    }
     std::optional<Studio> studio;
     if (!options.noVision) {
         studio = Studio::open(options, building, exitCode);
@@ -289,6 +295,8 @@ void addSimulateCommand(CLI::App& app, int& exitCode) {
     command
         ->add_option("--walks", options->walks, "So many walks between pairs drawn by chance instead of one")
         ->check(CLI::Range(0, 100000));
+    command->add_flag("--sparse-landmarks", options->sparseLandmarks,
+                      "Add extinguishers, exit signs and door plates by rule where the map has none");
     command->add_flag("--json", options->json, "One JSON document");
     command->callback([options, &exitCode] { exitCode = simulate(*options); });
 }

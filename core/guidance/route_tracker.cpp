@@ -46,8 +46,7 @@ bool leadsBack(const building::Building& building, const Route& route, const Reg
     int ways = 0;
     for (std::size_t access : building.accessesOf(*here)) {
         const building::Access& each = building.accesses()[access];
-        bool passable = each.kind != building::AccessKind::Window;
-        ways += passable && building.otherSide(each, *here) == there ? 1 : 0;
+        ways += each.passable() && building.otherSide(each, *here) == there ? 1 : 0;
     }
     const building::Access* first = building.access(route.accesses.front());
     bool level = first != nullptr &&

@@ -153,6 +153,7 @@ bool takeTask(const std::string& clause, WalkTask& task, std::optional<int>* hou
     task.feature = has(text, "opening") ? Feature::Opening : Feature::Door;
     task.number = ordinalIn(text);
     takeWhere(text, task, hour);
+    task.ahead = (has(text, " ahead") && !has(text, "ahead, slightly")) || begins(text, "go straight on");
     if (auto turn = turnIn(then)) task.behind = turn;
     if (begins(text, "go straight on")) task.turn = fromDegrees(0.0);
     std::size_t comma = text.rfind(", turning");

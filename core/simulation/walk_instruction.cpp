@@ -92,6 +92,9 @@ void takeTasks(const Cue& cue, WalkInstruction& instruction) {
         instruction.task.side = routing::Side::None;
         instruction.task.number = 0;
     }
+    bool gap = instruction.task.feature == Feature::Door || instruction.task.feature == Feature::Opening;
+    instruction.task.ahead = gap && first && cue.facingWay && instruction.task.side == routing::Side::None &&
+                             (cue.hour ? *cue.hour % 12 == 0 : first->behind.has_value());
     instruction.task.into = cue.intoName;
     if (instruction.task.feature == Feature::Elevator) instruction.task.level = cue.levelName;
     instruction.turnFirst = cue.turnFirst;

@@ -32,6 +32,8 @@ constexpr double kWalkOnM = 6.0, kPatienceS = 12.0;
 constexpr double kDistanceTrustM = 2.5;
 /// Doors may be missed in counting; an order to act is believed over a count that is this much short.
 constexpr int kCountDoubt = 1;
+/// So far a door that is said to be ahead is looked for in front only.
+constexpr double kAheadM = 8.0;
 constexpr double kLookDeg = 100.0, kLookSeconds = 6.0;
 /// A wrong turn, and the door that is taken meanwhile, if there is one.
 constexpr double kWrongS = 9.0;
@@ -309,6 +311,7 @@ bool WalkMind::isDoorOfMine(const Felt& felt) {
     Trail side = wantedSide();
     bool ahead = std::abs(felt.bearing.value) < kBeside;
     bool left = felt.bearing.value > 0.0;
+    if (m_task.ahead && m_legKnown && !ahead && m_searchedM < kAheadM) return false;
     if (!m_legKnown) {
         // Along a wall whose doors are counted, but which way? Only an order to act settles it.
         return m_task.side == Side::None || now;

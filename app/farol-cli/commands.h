@@ -14,6 +14,7 @@ void addRouteCommand(CLI::App& app, int& exitCode);      ///< route
 void addLibraryCommands(CLI::App& app, int& exitCode);   ///< train, library list, remove, retrain, check
 void addRecogniseCommands(CLI::App& app, int& exitCode); ///< recognise, detect
 void addLocateCommand(CLI::App& app, int& exitCode);     ///< locate
+void addCalibrateCommand(CLI::App& app, int& exitCode);  ///< calibrate
 void addRunCommands(CLI::App& app, int& exitCode);       ///< run, replay
 void addEvaluateCommand(CLI::App& app, int& exitCode);   ///< evaluate
 void addSurveyCommand(CLI::App& app, int& exitCode);     ///< survey

@@ -17,6 +17,7 @@ int main(int argc, char** argv) {
     farol::cli::addLibraryCommands(app, exitCode);
     farol::cli::addRecogniseCommands(app, exitCode);
     farol::cli::addLocateCommand(app, exitCode);
+    farol::cli::addCalibrateCommand(app, exitCode);
     farol::cli::addRunCommands(app, exitCode);
     farol::cli::addSurveyCommand(app, exitCode);
     farol::cli::addSimulateCommand(app, exitCode);

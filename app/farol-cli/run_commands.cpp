@@ -21,8 +21,8 @@ namespace {
 
 struct RunOptions {
     std::string map, library, source, from, to, localiser = "voting", verbosity = "objects", record, detector,
-                                                language = "en";
-    double framesPerSecond = 0.0;
+                                                camera, language = "en";
+    double framesPerSecond = 0.0, viewDegrees = 0.0;
     std::uint64_t seed = 1;
     bool realTime = false, speak = false, jsonLines = false;
 };
@@ -151,6 +151,22 @@ int walk(session::NavigationSession& session, WalkSpeech* speech) {
     return session.state() == session::RunState::Failed ? kFailed : kDone;
 }
 
+/// The camera's file and the user's own detector.
+Result<void> loadEyes(const RunOptions& options, session::PerceptionOptions& perception) {
+    if (!options.camera.empty()) {
+        auto camera = recognition::loadCamera(options.camera);
+        if (!camera) return camera.error();
+        perception.useCamera(*camera);
+    } else if (options.viewDegrees > 0.0) {
+        perception.useView(options.viewDegrees);
+    }
+    if (options.detector.empty()) return {};
+    auto own = recognition::NetworkDetector::load(options.detector);
+    if (!own) return own.error();
+    perception.ownDetector = std::make_shared<recognition::NetworkDetector>(std::move(own).value());
+    return {};
+}
+
 int run(const RunOptions& options) {
     int exitCode = kDone;
     WordsApplication application(options.language);
@@ -177,13 +193,7 @@ int run(const RunOptions& options) {
     }
 
     session::SessionOptions sessions = sessionOptions(options);
-    if (!options.detector.empty()) {
-        auto own = recognition::NetworkDetector::load(options.detector);
-        if (!own) return report(own.error());
-        sessions.perception.ownDetector =
-            std::make_shared<recognition::NetworkDetector>(std::move(own).value());
-    }
-
+    if (auto loaded = loadEyes(options, sessions.perception); !loaded) return report(loaded.error());
     WalkPrinter printer(options.jsonLines, building);
     std::optional<WalkSpeech> speech;
     if (options.speak) speech.emplace(options.language);
@@ -228,6 +238,13 @@ void addRun(CLI::App& app, int& exitCode) {
     command->add_option("--source", options->source, "Where the pictures come from")->required();
     command->add_option("--detector", options->detector,
                         "Description (*.json) of a detector of your own that looks too");
+    CLI::Option* camera =
+        command->add_option("--camera", options->camera, "Camera file of farol-cli calibrate: for distances");
+    command
+        ->add_option("--view", options->viewDegrees,
+                     "Degrees that the longer side of an uncalibrated camera's picture spans (usual: 60)")
+        ->check(CLI::Range(20.0, 140.0))
+        ->excludes(camera);
     command->add_option("--fps", options->framesPerSecond, "Pictures a second of a folder (default 1)")
         ->check(CLI::Range(0.01, 1000.0));
     command->add_option("--seed", options->seed, "Of a simulated walk")->capture_default_str();

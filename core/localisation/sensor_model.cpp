@@ -447,7 +447,7 @@ Look SensorModel::prepare(const Detection& detection) const {
     if (detection.rangeM && std::isfinite(*detection.rangeM) && *detection.rangeM > 0.0) {
         look.hasRange = true;
         look.logRange = static_cast<float>(std::log(std::clamp(*detection.rangeM, 0.3, 20.0)));
-        double sigma = rangeSigma(detection.kind);
+        double sigma = std::max(rangeSigma(detection.kind), detection.rangeSpread.value_or(0.0));
         look.rangeVariance = static_cast<float>(sigma * sigma);
         if (detection.kind != Kind::Place)
             falseLikelihood *= double(normalDensity(look.logRange - kLog2, 0.25F));

@@ -24,6 +24,7 @@ struct Detection {
     double score = 0.0; ///< 0 to 1, comparable within a kind
     int inliers = 0;    ///< matched keypoints that fit; 0 where that has no meaning
     std::optional<double> rangeM;
+    std::optional<double> rangeSpread; ///< one standard deviation, as a share of the range
     std::optional<Radians> bearing;
     /// Which of the things that are followed from frame to frame it is (landmark_tracker.h); 0: not followed.
     std::uint64_t track = 0;

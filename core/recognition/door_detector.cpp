@@ -60,7 +60,10 @@ Detection detectionOf(const Judged& judged, const cv::Mat& image, const DoorDete
         ImagePoint centre = boundingBox(detection.quad).centre();
         detection.bearing = Radians{std::atan2(image.cols / 2.0 - centre.x, options.focalPx)};
         if (judged.candidate->topSeen && judged.candidate->footSeen)
-            detection.rangeM = doorRange(detection.quad, options).metres;
+            if (RangeEstimate range = doorRange(detection.quad, options); range.metres > 0.0) {
+                detection.rangeM = range.metres;
+                detection.rangeSpread = range.spread / range.metres;
+            }
     }
     return detection;
 }
@@ -79,6 +82,8 @@ Result<void> DoorDetectorOptions::check() const {
         return wrong("the greatest aspect must be above the least", "maxAspect");
     if (!(minScore >= 0.0 && minScore <= 1.0)) return wrong("a score lies between 0 and 1", "minScore");
     if (!(focalPx >= 0.0)) return wrong("a focal length is positive, or 0 where it is unknown", "focalPx");
+    if (!(focalSpread >= 0.0 && focalSpread < 1.0))
+        return wrong("the spread is a share of the focal length", "focalSpread");
     if (!(leafHeightM > 0.5 && leafHeightM < 5.0)) return wrong("a door is 0.5 to 5 m high", "leafHeightM");
     if (!(leafSpreadM >= 0.0 && leafSpreadM < leafHeightM))
         return wrong("doors differ by less than their height", "leafSpreadM");
@@ -93,7 +98,8 @@ RangeEstimate doorRange(const Quad& quad, const DoorDetectorOptions& options) {
     double pixels = 2.0 / (1.0 / left + 1.0 / right);
     RangeEstimate range;
     range.metres = options.focalPx * options.leafHeightM / pixels;
-    range.spread = range.metres * std::hypot(options.leafSpreadM / options.leafHeightM, 3.0 / pixels);
+    range.spread = range.metres *
+                   std::hypot(options.leafSpreadM / options.leafHeightM, 3.0 / pixels, options.focalSpread);
     return range;
 }
 

@@ -17,6 +17,7 @@ struct DoorDetectorOptions {
     double maxAspect = 4.0;
     double minScore = 0.75;
     double focalPx = 0.0; ///< of the camera, in pixels of the picture given; 0: unknown, and no range is told
+    double focalSpread = 0.0;  ///< one standard deviation, as a share of it
     double leafHeightM = 2.05; ///< the usual door
     double leafSpreadM = 0.10; ///< how much doors differ
 

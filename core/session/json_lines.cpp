@@ -50,6 +50,7 @@ Json detectionJson(const Percept& percept, const recognition::Detection& detecti
     json["image"] = Json::array({detection.image.width, detection.image.height});
     json["score"] = printedNumber(detection.score);
     json["range_m"] = detection.rangeM ? printedNumber(*detection.rangeM) : Json(nullptr);
+    if (detection.rangeSpread) json["range_spread"] = printedNumber(*detection.rangeSpread);
     json["bearing_deg"] = detection.bearing ? degreesJson(*detection.bearing) : Json(nullptr);
     json["zone"] = zoneName(detection.zone());
     if (detection.track != 0) {
@@ -81,7 +82,8 @@ void addFixFields(Json& json, const localisation::Fix& fix) {
     json["position"] = fix.position ? pointJson(fix.position->x, fix.position->y) : Json(nullptr);
     json["sigma_m"] = printedNumber(fix.sigmaM);
     json["heading_deg"] = fix.heading ? degreesJson(*fix.heading) : Json(nullptr);
-    if (fix.heading && fix.headingSigma.value > 0.0) json["heading_sigma_deg"] = degreesJson(fix.headingSigma);
+    if (fix.heading && fix.headingSigma.value > 0.0)
+        json["heading_sigma_deg"] = degreesJson(fix.headingSigma);
     json["votes"] = Json::array();
     for (const localisation::RegionVote& vote : fix.votes) json["votes"].push_back(voteJson(vote));
 }

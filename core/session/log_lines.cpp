@@ -46,6 +46,9 @@ Result<LogLine> readDetection(JsonFields& fields, double time) {
     if (detection.score < 0.0 || detection.score > 1.0) fields.complain("\"score\" is not between 0 and 1");
     detection.rangeM = fields.optionalNumber("range_m");
     if (detection.rangeM && *detection.rangeM < 0.0) fields.complain("\"range_m\" is negative");
+    detection.rangeSpread = fields.optionalNumber("range_spread");
+    if (detection.rangeSpread && *detection.rangeSpread < 0.0)
+        fields.complain("\"range_spread\" is negative");
     if (auto bearing = fields.optionalNumber("bearing_deg")) detection.bearing = fromDegrees(*bearing);
     detection.track = static_cast<std::uint64_t>(fields.integerOr("track", 0, kMostFrames, 0));
     detection.confirmations =

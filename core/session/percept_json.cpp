@@ -48,6 +48,7 @@ Json detectionJson(const recognition::Detection& detection) {
     json["score"] = exactNumber(detection.score);
     if (detection.inliers != 0) json["inliers"] = detection.inliers;
     if (detection.rangeM) json["range_m"] = exactNumber(*detection.rangeM);
+    if (detection.rangeSpread) json["range_spread"] = exactNumber(*detection.rangeSpread);
     if (detection.bearing) json["bearing_rad"] = exactNumber(detection.bearing->value);
     if (detection.track != 0) json["track"] = detection.track;
     if (detection.confirmations != 1) json["confirmations"] = detection.confirmations;
@@ -64,6 +65,7 @@ recognition::Detection detectionFrom(JsonFields& fields) {
     detection.score = fields.number("score");
     detection.inliers = static_cast<int>(fields.integerOr("inliers", 0, kMostInt, 0));
     detection.rangeM = fields.optionalNumber("range_m");
+    detection.rangeSpread = fields.optionalNumber("range_spread");
     if (auto bearing = fields.optionalNumber("bearing_rad")) detection.bearing = Radians{*bearing};
     detection.track = static_cast<std::uint64_t>(fields.integerOr("track", 0, kMostTracks, 0));
     detection.confirmations = static_cast<int>(fields.integerOr("confirmations", 0, kMostInt, 1));

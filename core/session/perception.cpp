@@ -41,6 +41,8 @@ void keepFinite(recognition::DetectorResult& result) {
     std::vector<recognition::Detection> kept;
     for (recognition::Detection& detection : result.detections) {
         if (detection.rangeM && !std::isfinite(*detection.rangeM)) detection.rangeM.reset();
+        if (!detection.rangeM || !std::isfinite(detection.rangeSpread.value_or(0.0)))
+            detection.rangeSpread.reset();
         if (detection.bearing && !std::isfinite(detection.bearing->value)) detection.bearing.reset();
         if (isFinite(detection)) {
             kept.push_back(std::move(detection));
@@ -112,7 +114,22 @@ Look guarded(const capture::Frame& frame, double sharpness, Find find) {
 
 } // namespace
 
+void PerceptionOptions::useCamera(const recognition::CameraModel& calibrated) {
+    camera = calibrated;
+    visualMotion.horizontalViewDegrees = tracker.horizontalViewDegrees = calibrated.horizontalViewDegrees();
+}
+
+void PerceptionOptions::useView(double degrees) {
+    camera.reset();
+    viewDegrees = degrees;
+    visualMotion.horizontalViewDegrees = tracker.horizontalViewDegrees = degrees;
+}
+
 Result<void> PerceptionOptions::check() const {
+    if (camera)
+        if (auto checked = camera->check(); !checked) return checked;
+    if (!(viewDegrees >= 20.0 && viewDegrees <= 140.0))
+        return Error{ErrorCode::InvalidArgument, "a camera sees 20 to 140 degrees across", "viewDegrees"};
     for (const Result<void>& checked : {recogniser.check(), doorDetector.check(), stairsDetector.check(),
                                         signDetector.check(), rectangleDetector.check(), textReader.check(),
                                         visualMotion.check(), tracker.check(), scene.check()})
@@ -190,9 +207,43 @@ bool Perception::due(const Post& post, const Percept& percept) const {
     return percept.time - *post.lastBegun >= post.secondsBetween - kTimeSlack;
 }
 
+recognition::CameraModel Perception::cameraFor(const cv::Mat& image) const {
+    const ImageSize size{image.cols, image.rows};
+    if (m_options.camera)
+        if (auto scaled = m_options.camera->forPictures(size)) return *scaled;
+    return recognition::CameraModel::assumed(size, m_options.viewDegrees);
+}
+
+recognition::DetectorResult Perception::findLandmarks(const cv::Mat& image) const {
+    recognition::DetectorResult result = m_recogniser->recognise(image);
+    const recognition::CameraModel camera = cameraFor(image);
+    for (recognition::Detection& detection : result.detections) {
+        if (detection.kind == Kind::Place) continue;
+        if (const recognition::Template* entry = m_recogniser->library().find(detection.templateId))
+            recognition::place(detection, camera, entry->widthM, entry->heightM);
+    }
+    return result;
+}
+
+recognition::DetectorResult Perception::findDoors(const cv::Mat& image) const {
+    const recognition::CameraModel camera = cameraFor(image);
+    recognition::DoorDetectorOptions options = m_options.doorDetector;
+    if (options.focalPx == 0.0) {
+        options.focalPx = camera.focalPx();
+        options.focalSpread = camera.focalSpread;
+    }
+    recognition::DetectorResult result = recognition::detectDoors(image, options);
+    for (recognition::Detection& door : result.detections) {
+        // An assumed camera knows a bearing no better than the zone does.
+        door.bearing.reset();
+        recognition::place(door, camera, {}, {});
+    }
+    return result;
+}
+
 recognition::DetectorResult Perception::findStructures(const cv::Mat& image) {
     recognition::DetectorResult result;
-    if (m_options.doors) result.append(recognition::detectDoors(image, m_options.doorDetector));
+    if (m_options.doors) result.append(findDoors(image));
     if (m_options.stairs) result.append(recognition::detectStairs(image, m_options.stairsDetector));
     if (m_signs) result.append(m_signs->detect(image));
     if (m_options.ownDetector) result.append(m_options.ownDetector->detect(image));
@@ -219,7 +270,7 @@ Look Perception::lookFor(const Post& post, const capture::Frame& frame, double s
     case recognition::Sense::Landmarks:
         return guarded(frame, sharpness, [this](const cv::Mat& image, Sight& sight) {
             StopWatch watch;
-            sight.result = m_recogniser->recognise(image);
+            sight.result = findLandmarks(image);
             watch.lap(sight.times.landmarksMs);
         });
     case recognition::Sense::Structures:

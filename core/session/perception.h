@@ -5,6 +5,7 @@
 // taken on the spot or on a thread. Deterministic when looks are taken on the spot.
 
 #include "core/localisation/scene_context.h"
+#include "core/recognition/camera_model.h"
 #include "core/recognition/door_detector.h"
 #include "core/recognition/landmark_recogniser.h"
 #include "core/recognition/landmark_tracker.h"
@@ -40,6 +41,9 @@ struct PerceptionOptions {
     recognition::VisualMotionOptions visualMotion;
     recognition::TrackerOptions tracker;
     localisation::SceneOptions scene;
+    /// Of the calibrated camera; without one the view is assumed, and ranges are less sure.
+    std::optional<recognition::CameraModel> camera;
+    double viewDegrees = 60.0; ///< of the assumed one, along the longer side
     /// At most one look in this time of the frames' own clock.
     double secondsBetweenLooks = 0.1, secondsBetweenDoors = 0.2, secondsBetweenReadings = 0.3;
     int linesPerReading = 3; ///< reading is the slowest look
@@ -47,6 +51,8 @@ struct PerceptionOptions {
     /// repeated.
     int confirmations = 2;
 
+    void useCamera(const recognition::CameraModel& calibrated);
+    void useView(double degrees);
     Result<void> check() const;
 };
 
@@ -78,6 +84,9 @@ private:
     void lookQuickly(const capture::Frame& frame, Percept& percept, HopTimes& times);
     bool due(const Post& post, const Percept& percept) const;
     Look lookFor(const Post& post, const capture::Frame& frame, double sharpness);
+    recognition::CameraModel cameraFor(const cv::Mat& image) const;
+    recognition::DetectorResult findLandmarks(const cv::Mat& image) const;
+    recognition::DetectorResult findDoors(const cv::Mat& image) const;
     recognition::DetectorResult findStructures(const cv::Mat& image);
     recognition::TextPlaces placesToRead(double time);
     void fetch(Post& post, Percept& percept, HopTimes& times);

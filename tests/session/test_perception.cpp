@@ -1,10 +1,13 @@
+#include "core/recognition/training.h"
 #include "core/session/perception.h"
 #include "tests/recognition/tiny_network.h"
 #include "tests/session/walk_fixture.h"
 
+#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -202,6 +205,54 @@ TEST(Perception, ADetectorOfTheUsersOwnLooksToo) {
         for (const auto& one : perception.look(frameOf(plate(), i, static_cast<double>(i))).detections)
             seen = seen || one.kind == Kind::Fountain;
     EXPECT_TRUE(seen);
+}
+
+/// A poster of 0.6 x 0.45 m, 240 pixels wide in the left half of the picture.
+cv::Mat posterOnAWall(recognition::LandmarkLibrary& library) {
+    cv::Mat poster(225, 300, CV_8UC3, cv::Scalar(200, 210, 220));
+    cv::RNG draw(11);
+    for (int i = 0; i < 140; ++i)
+        cv::circle(poster, {draw.uniform(0, 300), draw.uniform(0, 225)}, draw.uniform(3, 14),
+                   cv::Scalar(draw.uniform(0, 255), draw.uniform(0, 255), draw.uniform(0, 255)), cv::FILLED);
+    std::vector<unsigned char> bytes;
+    cv::imencode(".png", poster, bytes);
+    auto added = recognition::addView(library, {TemplateId("poster"), Kind::Poster, "", 0.6, 0.45},
+                                      {bytes.begin(), bytes.end()}, {});
+    EXPECT_TRUE(added);
+    cv::Mat picture(480, 640, CV_8UC3, cv::Scalar(150, 150, 150)), small;
+    cv::resize(poster, small, {240, 180}, 0, 0, cv::INTER_AREA);
+    small.copyTo(picture(cv::Rect(40, 150, 240, 180)));
+    return picture;
+}
+
+TEST(Perception, ATrainedThingOfKnownSizeHasARangeAndWithAKnownCameraABearing) {
+    auto library = std::make_shared<recognition::LandmarkLibrary>();
+    const cv::Mat picture = posterOnAWall(*library);
+    PerceptionOptions options;
+    options.text = options.doors = options.stairs = options.signs = options.motion = false;
+    auto seen = [&]() -> std::optional<recognition::Detection> {
+        std::vector<std::string> warnings;
+        Perception perception(library, options, warnings);
+        auto detections = perception.look(frameOf(picture, 0, 0.0)).detections;
+        if (detections.size() != 1) return std::nullopt;
+        return detections.front();
+    };
+    auto assumed = seen();
+    ASSERT_TRUE(assumed && assumed->rangeM && assumed->rangeSpread);
+    EXPECT_FALSE(assumed->bearing);
+    EXPECT_NEAR(*assumed->rangeM, 1.45, 0.15); // 60 degrees across
+    EXPECT_GT(*assumed->rangeSpread, 0.15);
+
+    recognition::CameraModel camera = recognition::CameraModel::assumed({1280, 960});
+    camera.focalX = camera.focalY = 1200.0;
+    camera.focalSpread = 0.005;
+    camera.pictures = 12;
+    options.useCamera(camera); // calibrated with larger pictures
+    auto known = seen();
+    ASSERT_TRUE(known && known->rangeM && known->rangeSpread && known->bearing);
+    EXPECT_NEAR(*known->rangeM, 1.5 / std::cos(known->bearing->value), 0.06);
+    EXPECT_LT(*known->rangeSpread, 0.05);
+    EXPECT_NEAR(known->bearing->value, std::atan(160.0 / 600.0), 0.01);
 }
 
 TEST(Perception, SenselessOptionsAreRefused) {

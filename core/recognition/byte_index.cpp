@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <set>
 #include <utility>
 
 namespace farol::recognition {
@@ -173,6 +174,53 @@ void ByteIndex::add(const cv::Mat& descriptors) {
         append(first);
 }
 
+ByteIndex& ByteIndex::operator=(const ByteIndex& other) {
+    m_rows = other.m_rows.clone(); // to which both may append
+    m_groups = other.m_groups;
+    m_middles = other.m_middles;
+    m_firstList = other.m_firstList;
+    m_lists = other.m_lists;
+    m_builtFor = other.m_builtFor;
+    m_removed = other.m_removed;
+    m_removedCount = other.m_removedCount;
+    return *this;
+}
+
+bool ByteIndex::removed(int row) const {
+    auto at = static_cast<std::size_t>(row);
+    return at < m_removed.size() && m_removed[at];
+}
+
+void ByteIndex::remove(int first, int count) {
+    const int end = std::clamp(first + std::max(count, 0), 0, m_rows.rows);
+    first = std::clamp(first, 0, end);
+    if (first == end) return;
+    if (m_removed.size() < static_cast<std::size_t>(end))
+        m_removed.resize(static_cast<std::size_t>(end), false);
+    std::set<std::size_t> touched;
+    for (int row = first; row < end; ++row) {
+        if (removed(row)) continue;
+        m_removed[static_cast<std::size_t>(row)] = true;
+        ++m_removedCount;
+        touched.insert(nearestList(m_rows.ptr(row)));
+    }
+    const auto width = static_cast<std::size_t>(m_rows.cols);
+    for (std::size_t number : touched) {
+        List& list = m_lists[number];
+        std::size_t kept = 0;
+        for (std::size_t i = 0; i < list.numbers.size(); ++i) {
+            if (removed(list.numbers[i])) continue;
+            if (kept != i) {
+                list.numbers[kept] = list.numbers[i];
+                std::copy_n(list.bytes.data() + i * width, width, list.bytes.data() + kept * width);
+            }
+            ++kept;
+        }
+        list.numbers.resize(kept);
+        list.bytes.resize(kept * width);
+    }
+}
+
 void ByteIndex::rebuild() {
     m_builtFor = m_rows.rows;
     int count = std::clamp(m_rows.rows / kRowsOfList, 1, kMostMiddles);
@@ -208,6 +256,7 @@ std::size_t ByteIndex::nearestList(const unsigned char* row) const {
 
 void ByteIndex::append(int first) {
     for (int number = first; number < m_rows.rows; ++number) {
+        if (removed(number)) continue;
         List& list = m_lists[nearestList(m_rows.ptr(number))];
         list.bytes.insert(list.bytes.end(), m_rows.ptr(number), m_rows.ptr(number) + m_rows.cols);
         list.numbers.push_back(number);

@@ -21,9 +21,18 @@ struct Neighbours {
 class ByteIndex {
 public:
     ByteIndex() = default;
+    /// On their own from then on.
+    ByteIndex(const ByteIndex& other) { *this = other; }
+    ByteIndex& operator=(const ByteIndex& other);
+    ByteIndex(ByteIndex&&) noexcept = default;
+    ByteIndex& operator=(ByteIndex&&) noexcept = default;
+    ~ByteIndex() = default;
     /// `descriptors` CV_8U, all of one width; numbered on from the rows already there.
     void add(const cv::Mat& descriptors);
-    int size() const { return m_rows.rows; }
+    /// These rows are not found any more; the numbers of the others stay.
+    void remove(int first, int count);
+    int size() const { return m_rows.rows; } ///< with those removed
+    int living() const { return m_rows.rows - m_removedCount; }
     /// Squared Euclidean distance.
     int distance(const unsigned char* query, int row) const;
 
@@ -47,6 +56,7 @@ private:
         std::vector<std::uint64_t> lists;
     };
 
+    bool removed(int row) const;
     void rebuild();
     void append(int first);
     std::vector<Visit> visits(const cv::Mat& queries) const;
@@ -60,6 +70,8 @@ private:
     std::vector<std::size_t> m_firstList;
     std::vector<List> m_lists;
     int m_builtFor = 0;
+    std::vector<bool> m_removed; ///< by row; shorter than the rows where none of the last is
+    int m_removedCount = 0;
 };
 
 struct RowMatch {

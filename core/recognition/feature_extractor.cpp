@@ -29,7 +29,7 @@ struct Extractor {
 };
 
 constexpr std::array<Extractor, 4> kExtractors{
-    {{"rootsift", 2, 0.01, kDescriptorBytes, false, 42000, nullptr},
+    {{"rootsift", 2, 0.005, kDescriptorBytes, false, 42000, nullptr},
      {"surf", 1, 0.01, kSurfBytes, false, 30000, surfFeatures},
      {"orb", 1, 0.04, kOrbBytes, true, 70 * kBitDistance, orbFeatures},
      {"akaze", 1, 0.0005, kAkazeBytes, true, 130 * kBitDistance, akazeFeatures}}};

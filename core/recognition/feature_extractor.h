@@ -23,7 +23,7 @@ struct ExtractorOptions {
     int version = 2; ///< of our own post-processing; a change makes old descriptors incomparable
     int workingLongSide = 640;
     int maxKeypoints = 800;
-    double contrastThreshold = 0.01;
+    double contrastThreshold = 0.005;
 
     /// rootsift, surf, orb or akaze with its own usual options; InvalidArgument for another name.
     static Result<ExtractorOptions> named(const std::string& name);

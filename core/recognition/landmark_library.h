@@ -36,6 +36,10 @@ struct Template {
     std::vector<View> views;
 };
 
+/// Were both made from the same photographs (of the same training: copies of a library share their
+/// features)?
+bool sameLook(const Template& a, const Template& b);
+
 struct LandmarkLibrary {
     ExtractorOptions extractor; ///< with which all features were made
     std::vector<Template> templates;

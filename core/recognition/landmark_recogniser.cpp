@@ -40,10 +40,25 @@ struct LandmarkRecogniser::Index {
 
 LandmarkRecogniser::LandmarkRecogniser(std::shared_ptr<const LandmarkLibrary> library,
                                        RecogniserOptions options)
-    : m_library(std::move(library)),
-      m_options(options),
-      m_index(new Index{FeatureExtractor(m_library->extractor), ObjectMatcher(*m_library, options),
-                        PlaceMatcher(*m_library, options)}) {}
+    : m_library(std::move(library)), m_options(options), m_index(made(*m_library, options)) {}
+
+LandmarkRecogniser::LandmarkRecogniser(std::shared_ptr<const LandmarkLibrary> library,
+                                       const LandmarkRecogniser& before)
+    : m_library(std::move(library)), m_options(before.m_options) {
+    if (m_library->extractor == before.m_library->extractor) {
+        m_index.reset(new Index{FeatureExtractor(m_library->extractor),
+                                ObjectMatcher(before.m_index->objects, *m_library),
+                                PlaceMatcher(before.m_index->places, *m_library)});
+        if (!m_index->objects.outworn() && !m_index->places.outworn()) return;
+    }
+    m_index = made(*m_library, m_options);
+}
+
+std::unique_ptr<LandmarkRecogniser::Index> LandmarkRecogniser::made(const LandmarkLibrary& library,
+                                                                    const RecogniserOptions& options) {
+    return std::unique_ptr<Index>(new Index{FeatureExtractor(library.extractor),
+                                            ObjectMatcher(library, options), PlaceMatcher(library, options)});
+}
 
 LandmarkRecogniser::~LandmarkRecogniser() = default;
 LandmarkRecogniser::LandmarkRecogniser(LandmarkRecogniser&&) noexcept = default;

@@ -32,6 +32,10 @@ struct RecogniserOptions {
 class LandmarkRecogniser {
 public:
     LandmarkRecogniser(std::shared_ptr<const LandmarkLibrary> library, RecogniserOptions options = {});
+    /// For a library that differs from the one before in some templates: only these are taken out of the
+    /// index and put in. Options and extractor of the one before; with another extractor everything is made
+    /// anew. What did not change must have been copied from the library before, not read again.
+    LandmarkRecogniser(std::shared_ptr<const LandmarkLibrary> library, const LandmarkRecogniser& before);
     ~LandmarkRecogniser();
     LandmarkRecogniser(LandmarkRecogniser&&) noexcept;
     LandmarkRecogniser& operator=(LandmarkRecogniser&&) noexcept;
@@ -42,6 +46,7 @@ public:
 
 private:
     struct Index;
+    static std::unique_ptr<Index> made(const LandmarkLibrary& library, const RecogniserOptions& options);
     std::shared_ptr<const LandmarkLibrary> m_library;
     RecogniserOptions m_options;
     std::unique_ptr<Index> m_index;

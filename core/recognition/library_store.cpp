@@ -12,6 +12,7 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
+#include <set>
 #include <sstream>
 
 namespace farol::recognition {
@@ -131,12 +132,13 @@ Result<void> checkSchema(GDALDataset& dataset, const std::string& path) {
 }
 
 Result<void> readTemplates(OGRLayer& layer, const std::string& path, LandmarkLibrary& library) {
+    std::set<std::string> names;
     for (auto& feature : layer) {
         Template entry;
         entry.id = TemplateId(text(*feature, "template"));
         std::string where = path + ", layer templates, row " + std::to_string(feature->GetFID());
         if (entry.id.empty()) return Error{ErrorCode::Corrupt, "a template has no name", where};
-        if (library.find(entry.id) != nullptr)
+        if (!names.insert(entry.id.value).second)
             return Error{ErrorCode::Corrupt, "template " + entry.id.value + " stands twice", where};
         std::string kind = text(*feature, "kind");
         auto known = kindFromName(kind);

@@ -56,6 +56,20 @@ cv::Point2f centreOf(const std::array<cv::Point2f, 4>& quad) {
     return (quad[0] + quad[1] + quad[2] + quad[3]) * 0.25F;
 }
 
+std::vector<cv::Point2f> borderOf(const Quad& quad) {
+    std::vector<cv::Point2f> border;
+    for (const ImagePoint& p : quad) border.emplace_back(static_cast<float>(p.x), static_cast<float>(p.y));
+    return border;
+}
+
+/// Two of one kind hang side by side; what lies across a found one is a likeness within it.
+bool liesAcross(const Quad& quad, const Quad& known) {
+    constexpr double kMostShared = 0.2; // of the smaller
+    std::vector<cv::Point2f> a = borderOf(quad), b = borderOf(known), common;
+    double shared = cv::intersectConvexConvex(a, b, common);
+    return shared > kMostShared * std::min(cv::contourArea(a), cv::contourArea(b));
+}
+
 /// The view that shows most of the object, frontal ones first.
 const View* bestView(const Template& entry) {
     const View* best = nullptr;
@@ -111,6 +125,32 @@ ObjectMatcher::ObjectMatcher(const LandmarkLibrary& library, const RecogniserOpt
     for (const Template& entry : library.templates)
         if (entry.kind != Kind::Place && !entry.views.empty()) addObject(entry, descriptors);
     if (m_rows.empty()) return;
+    cv::Mat all;
+    cv::vconcat(descriptors, all);
+    m_index.add(all);
+}
+
+ObjectMatcher::ObjectMatcher(const ObjectMatcher& before, const LandmarkLibrary& library)
+    : ObjectMatcher(before) {
+    std::map<std::string, const Template*> wanted;
+    for (const Template& entry : library.templates)
+        if (entry.kind != Kind::Place && !entry.views.empty()) wanted.emplace(entry.id.value, &entry);
+    for (Object& object : m_objects) {
+        if (object.entry == nullptr) continue;
+        auto found = wanted.find(object.entry->id.value);
+        if (found != wanted.end() && sameLook(*object.entry, *found->second)) {
+            object.entry = found->second;
+            wanted.erase(found);
+        } else {
+            object.entry = nullptr;
+            m_index.remove(object.firstRow, object.rowCount);
+        }
+    }
+    std::vector<cv::Mat> descriptors;
+    for (const Template& entry : library.templates)
+        if (auto found = wanted.find(entry.id.value); found != wanted.end() && found->second == &entry)
+            addObject(entry, descriptors);
+    if (descriptors.empty()) return;
     cv::Mat all;
     cv::vconcat(descriptors, all);
     m_index.add(all);
@@ -420,6 +460,10 @@ bool ObjectMatcher::verify(const Candidate& candidate, const cv::Mat& grey, cons
     }
     if (trials != nullptr && best.evidence.inliers > 0)
         trials->push_back({object.entry->id, best.quad, best.evidence});
+    if (best.reason == nullptr)
+        for (const Detection& known : result.detections)
+            if (known.templateId == object.entry->id && liesAcross(best.quad, known.quad))
+                best.reason = "lies_across_itself";
     if (best.reason != nullptr) return reject(best);
     Detection detection;
     detection.kind = object.entry->kind;
@@ -464,10 +508,7 @@ DetectorResult ObjectMatcher::match(const cv::Mat& grey, const Features& seen,
         // What lies inside an object already found is not found once more.
         bool taken =
             std::any_of(result.detections.begin(), result.detections.end(), [&](const Detection& known) {
-                std::vector<cv::Point2f> border;
-                for (const ImagePoint& p : known.quad)
-                    border.emplace_back(static_cast<float>(p.x), static_cast<float>(p.y));
-                return cv::pointPolygonTest(border, candidate.where.centre, false) >= 0.0;
+                return cv::pointPolygonTest(borderOf(known.quad), candidate.where.centre, false) >= 0.0;
             });
         if (!taken) verify(candidate, grey, frame, grid, result, trials);
     }

@@ -25,7 +25,11 @@ class ObjectMatcher {
 public:
     /// Takes every template of the library that is no place.
     ObjectMatcher(const LandmarkLibrary& library, const RecogniserOptions& options);
-    bool empty() const { return m_rows.empty(); }
+    /// Takes over what is the same in both libraries; the rest is taken out and put in.
+    ObjectMatcher(const ObjectMatcher& before, const LandmarkLibrary& library);
+    bool empty() const { return m_index.living() == 0; }
+    /// So much is gone that making a new one is better.
+    bool outworn() const { return 2 * m_index.living() < m_index.size(); }
     /// `trials`: told of every fit that is a sane outline, when wanted.
     DetectorResult match(const cv::Mat& grey, const Features& seen,
                          std::vector<ObjectTrial>* trials = nullptr) const;
@@ -46,7 +50,7 @@ private:
         float size = 0.0F, angle = 0.0F; ///< of the keypoint there
     };
     struct Object {
-        const Template* entry = nullptr;
+        const Template* entry = nullptr; ///< null: no longer in the library
         cv::Point2f planeSize;
         cv::Mat patch; ///< 64 x 64 grey
         int firstRow = 0, rowCount = 0;

@@ -108,26 +108,55 @@ double PlaceSupport::strength() const {
 PlaceMatcher::PlaceMatcher(const LandmarkLibrary& library, const RecogniserOptions& options)
     : m_options(options), m_extractor(library.extractor.name) {
     std::vector<cv::Mat> descriptors;
-    for (const Template& entry : library.templates) {
-        if (entry.kind != Kind::Place) continue;
-        for (const View& view : entry.views) {
-            if (view.features.descriptors.rows == 0) continue;
-            m_viewOfRow.insert(m_viewOfRow.end(), static_cast<std::size_t>(view.features.descriptors.rows),
-                               static_cast<int>(m_views.size()));
-            m_views.push_back({&entry, &view, comparable(m_extractor, view.features.descriptors)});
-            descriptors.push_back(m_views.back().descriptors);
-        }
-    }
-    if (m_views.empty()) return;
+    for (const Template& entry : library.templates)
+        if (entry.kind == Kind::Place) add(entry, descriptors);
+    if (descriptors.empty()) return;
     cv::Mat all;
     cv::vconcat(descriptors, all);
-    m_index = std::make_unique<ByteIndex>();
-    m_index->add(all);
+    m_index.add(all);
+}
+
+PlaceMatcher::PlaceMatcher(const PlaceMatcher& before, const LandmarkLibrary& library)
+    : PlaceMatcher(before) {
+    std::map<std::string, const Template*> wanted, kept;
+    for (const Template& entry : library.templates)
+        if (entry.kind == Kind::Place) wanted.emplace(entry.id.value, &entry);
+    for (PlaceView& one : m_views) {
+        if (one.entry == nullptr) continue;
+        auto found = wanted.find(one.entry->id.value);
+        if (found != wanted.end() && sameLook(*one.entry, *found->second)) {
+            auto ordinal = static_cast<std::size_t>(one.view - one.entry->views.data());
+            one.view = &found->second->views[ordinal];
+            one.entry = found->second;
+            kept.insert(*found);
+        } else {
+            m_index.remove(one.firstRow, one.descriptors.rows);
+            one = {};
+        }
+    }
+    std::vector<cv::Mat> descriptors;
+    for (const Template& entry : library.templates)
+        if (entry.kind == Kind::Place && kept.count(entry.id.value) == 0) add(entry, descriptors);
+    if (descriptors.empty()) return;
+    cv::Mat all;
+    cv::vconcat(descriptors, all);
+    m_index.add(all);
+}
+
+void PlaceMatcher::add(const Template& entry, std::vector<cv::Mat>& descriptors) {
+    for (const View& view : entry.views) {
+        if (view.features.descriptors.rows == 0) continue;
+        auto firstRow = static_cast<int>(m_viewOfRow.size());
+        m_viewOfRow.insert(m_viewOfRow.end(), static_cast<std::size_t>(view.features.descriptors.rows),
+                           static_cast<int>(m_views.size()));
+        m_views.push_back({&entry, &view, comparable(m_extractor, view.features.descriptors), firstRow});
+        descriptors.push_back(m_views.back().descriptors);
+    }
 }
 
 std::vector<int> PlaceMatcher::candidates(const Features& frame) const {
-    Neighbours near = m_index->search(comparable(m_extractor, frame.descriptors), m_options.neighbours,
-                                      m_options.searchChecks);
+    Neighbours near = m_index.search(comparable(m_extractor, frame.descriptors), m_options.neighbours,
+                                     m_options.searchChecks);
     std::vector<double> votes(m_views.size(), 0.0);
     for (int query = 0; query < frame.descriptors.rows; ++query) {
         std::size_t first = static_cast<std::size_t>(query) * static_cast<std::size_t>(near.each);

@@ -5,7 +5,6 @@
 #include "core/recognition/detection.h"
 #include "core/recognition/landmark_recogniser.h"
 
-#include <memory>
 #include <vector>
 
 namespace farol::recognition {
@@ -23,7 +22,10 @@ struct PlaceSupport {
 class PlaceMatcher {
 public:
     PlaceMatcher(const LandmarkLibrary& library, const RecogniserOptions& options);
-    bool empty() const { return m_views.empty(); }
+    /// Takes over what is the same in both libraries; the rest is taken out and put in.
+    PlaceMatcher(const PlaceMatcher& before, const LandmarkLibrary& library);
+    bool empty() const { return m_index.living() == 0; }
+    bool outworn() const { return 2 * m_index.living() < m_index.size(); }
     /// At most one detection.
     DetectorResult match(ImageSize frameSize, const Features& frame) const;
 
@@ -33,11 +35,13 @@ public:
 
 private:
     struct PlaceView {
-        const Template* entry = nullptr;
+        const Template* entry = nullptr; ///< null: no longer in the library
         const View* view = nullptr;
         cv::Mat descriptors; ///< comparable
+        int firstRow = 0;
     };
 
+    void add(const Template& entry, std::vector<cv::Mat>& descriptors);
     std::vector<int> candidates(const Features& frame) const;
     PlaceSupport verified(ImageSize frameSize, const Features& frame, int view) const;
     bool sameSpot(int a, int b) const;
@@ -46,7 +50,7 @@ private:
     std::string m_extractor;
     std::vector<PlaceView> m_views;
     std::vector<int> m_viewOfRow;
-    std::unique_ptr<ByteIndex> m_index;
+    ByteIndex m_index;
 };
 
 } // namespace farol::recognition

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 
 namespace farol::recognition {
 
@@ -17,6 +18,8 @@ constexpr int kAngleGrid = 15; // samples of a side, 0.6 sigma apart
 constexpr int kGrid = 20;      // samples of a side of the descriptor, five cells wide
 constexpr int kCells = 4, kBins = 8;
 constexpr double kSecondPeak = 0.8;
+constexpr int kCellPx = 80;        // of the cells that share out half of the spots
+constexpr double kEvenShare = 0.5; // of the spots, as many for each cell
 constexpr float kTurn = 6.2831853F;
 
 /// An extremum of the differences, refined.
@@ -110,6 +113,31 @@ bool refine(const Octave& octave, int layer, int y, int x, const RootSiftOptions
     return false;
 }
 
+bool stronger(const Spot& a, const Spot& b) {
+    return a.response > b.response;
+}
+
+/// Of spots in order of strength: one half is shared out evenly over the picture, so that a busy part does
+/// not leave a plain poster without any, the other half are the strongest of the rest.
+void keepStrongest(std::vector<Spot>& spots, std::size_t most, cv::Size picture) {
+    if (spots.size() <= most) return;
+    const int columns = (picture.width + kCellPx - 1) / kCellPx,
+              rows = (picture.height + kCellPx - 1) / kCellPx;
+    auto cellOf = [&](const Spot& spot) {
+        auto scale = static_cast<float>(1 << spot.octave);
+        int column = std::clamp(static_cast<int>(spot.x * scale) / kCellPx, 0, columns - 1);
+        int row = std::clamp(static_cast<int>(spot.y * scale) / kCellPx, 0, rows - 1);
+        return static_cast<std::size_t>(row * columns + column);
+    };
+    auto quota = static_cast<int>(kEvenShare * static_cast<double>(most) / (columns * rows));
+    std::vector<int> taken(static_cast<std::size_t>(columns * rows), 0);
+    std::vector<Spot> even, others;
+    for (const Spot& spot : spots) (taken[cellOf(spot)]++ < quota ? even : others).push_back(spot);
+    others.resize(most - even.size());
+    spots.clear();
+    std::merge(even.begin(), even.end(), others.begin(), others.end(), std::back_inserter(spots), stronger);
+}
+
 std::vector<Spot> findSpots(const ScaleSpace& space, const RootSiftOptions& options) {
     std::vector<Spot> spots;
     std::vector<int> columns;
@@ -135,11 +163,10 @@ std::vector<Spot> findSpots(const ScaleSpace& space, const RootSiftOptions& opti
     auto same = [](const Spot& a, const Spot& b) {
         return a.octave == b.octave && a.layer == b.layer && a.x == b.x && a.y == b.y;
     };
-    std::stable_sort(spots.begin(), spots.end(),
-                     [](const Spot& a, const Spot& b) { return a.response > b.response; });
+    std::stable_sort(spots.begin(), spots.end(), stronger);
     spots.erase(std::unique(spots.begin(), spots.end(), same), spots.end());
-    if (spots.size() > static_cast<std::size_t>(options.maxKeypoints))
-        spots.resize(static_cast<std::size_t>(options.maxKeypoints));
+    keepStrongest(spots, static_cast<std::size_t>(options.maxKeypoints),
+                  space.octaves[0].differences[0].size());
     return spots;
 }
 

@@ -16,7 +16,7 @@ inline constexpr int kDescriptorBytes = 128;
 
 struct RootSiftOptions {
     int maxKeypoints = 800;
-    double contrastThreshold = 0.01;
+    double contrastThreshold = 0.005;
     double edgeThreshold = 10.0;
 };
 

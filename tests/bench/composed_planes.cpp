@@ -110,7 +110,9 @@ void hide(cv::Mat& frame, const cv::Mat& other, const Quad& quad, double share, 
 }
 
 /// Light, blur, noise and compression of a hand-held camera.
-cv::Mat photographed(const cv::Mat& scene, const Conditions& conditions, cv::RNG& draw) {
+cv::Mat photographed(const cv::Mat& scene, const Conditions& conditions, PlaneComposer::Material material,
+                     cv::RNG& draw) {
+    bool poor = material == PlaneComposer::Material::Poor;
     cv::Mat picture;
     scene.convertTo(picture, CV_32FC3, draw.uniform(conditions.darkest, conditions.brightest),
                     draw.uniform(-12.0, 12.0));
@@ -119,7 +121,7 @@ cv::Mat photographed(const cv::Mat& scene, const Conditions& conditions, cv::RNG
         for (int x = 0; x < picture.cols; ++x)
             picture.at<cv::Vec3f>(y, x) *=
                 static_cast<float>(left + (right - left) * x / static_cast<double>(picture.cols));
-    cv::GaussianBlur(picture, picture, {}, draw.uniform(0.3, 1.1));
+    cv::GaussianBlur(picture, picture, {}, draw.uniform(0.3, poor ? 1.6 : 1.1));
     double motion = draw.uniform(0.0, conditions.motionPx), angle = draw.uniform(0.0, kPi);
     if (motion > 1.0) {
         constexpr int kSide = 9;
@@ -131,7 +133,7 @@ cv::Mat photographed(const cv::Mat& scene, const Conditions& conditions, cv::RNG
         cv::filter2D(picture, picture, -1, kernel);
     }
     cv::Mat noise(picture.size(), CV_32FC3);
-    draw.fill(noise, cv::RNG::NORMAL, 0.0, draw.uniform(1.5, 6.0));
+    draw.fill(noise, cv::RNG::NORMAL, 0.0, draw.uniform(poor ? 0.5 : 1.5, 6.0));
     picture += noise;
     picture.convertTo(picture, CV_8UC3);
     std::vector<unsigned char> jpeg;
@@ -166,7 +168,7 @@ bool apart(const Quad& a, const Quad& b) {
     return cv::intersectConvexConvex(outlineOf(a), outlineOf(b), common) <= 0.0F;
 }
 
-std::vector<fs::path> photographs(const fs::path& data, std::initializer_list<const char*> folders,
+std::vector<fs::path> photographs(const fs::path& data, const std::vector<const char*>& folders,
                                   cv::RNG& draw) {
     std::vector<fs::path> all;
     for (const char* folder : folders)
@@ -177,14 +179,13 @@ std::vector<fs::path> photographs(const fs::path& data, std::initializer_list<co
 }
 
 /// Nobody trains a blank door: seen from 2 m a poster must have so many corners.
-bool worthTraining(const cv::Mat& picture) {
-    constexpr std::size_t kCorners = 80;
+bool worthTraining(const cv::Mat& picture, std::size_t fewest) {
     cv::Mat grey;
     cv::cvtColor(picture, grey, cv::COLOR_BGR2GRAY);
     cv::resize(grey, grey, {}, 0.4, 0.4, cv::INTER_AREA);
     std::vector<cv::Point2f> corners;
-    cv::goodFeaturesToTrack(grey, corners, static_cast<int>(kCorners), 0.02, 4.0);
-    return corners.size() >= kCorners;
+    cv::goodFeaturesToTrack(grey, corners, static_cast<int>(fewest), 0.02, 4.0);
+    return corners.size() >= fewest;
 }
 
 } // namespace
@@ -216,11 +217,16 @@ PlaneComposer::Poster PlaneComposer::cut(const cv::Mat& photograph, cv::RNG& dra
     return poster;
 }
 
-Result<PlaneComposer> PlaneComposer::open(const fs::path& data, std::uint64_t seed) {
+Result<PlaneComposer> PlaneComposer::open(const fs::path& data, std::uint64_t seed, Material material) {
     if (auto found = cli::dataSet(data, "images"); !found) return found.error();
-    PlaneComposer composer(seed);
+    PlaneComposer composer(seed, material);
+    const bool poor = material == Material::Poor;
+    std::vector<const char*> folders{"doors/images", "stairs/img", "corridor_walk"};
+    if (poor)
+        for (const char* more : {"scene_text/icdar2015_sharp", "scene_text/icdar2015_motion_blurred"})
+            folders.push_back(more);
     cv::RNG draw(0x9E3779B97F4A7C15ULL * (seed + 1U));
-    for (const fs::path& file : photographs(data, {"doors/images", "stairs/img", "corridor_walk"}, draw)) {
+    for (const fs::path& file : photographs(data, folders, draw)) {
         cv::Mat photograph = cv::imread(file.string(), cv::IMREAD_COLOR);
         if (photograph.empty()) continue;
         bool corridor = file.parent_path().filename() == "corridor_walk";
@@ -234,7 +240,7 @@ Result<PlaneComposer> PlaneComposer::open(const fs::path& data, std::uint64_t se
         int width = photograph.cols / parts;
         for (int part = 0; part < parts && posters.size() < kMostTemplates; ++part) {
             Poster poster = cut(photograph(cv::Rect(part * width, 0, width, photograph.rows)), draw);
-            if (worthTraining(poster.picture)) posters.push_back(std::move(poster));
+            if (worthTraining(poster.picture, poor ? 30 : 80)) posters.push_back(std::move(poster));
         }
     }
     if (composer.m_posters.size() < 2 || composer.m_unknown.empty() || composer.m_rooms.size() < 2)
@@ -303,7 +309,7 @@ ComposedFrame PlaneComposer::frameAt(int number) const {
         hung.push_back(quad);
         if (sort != 5) frame.shown.push_back({name, quad});
     }
-    frame.image = photographed(scene, conditions, draw);
+    frame.image = photographed(scene, conditions, m_material, draw);
     return frame;
 }
 

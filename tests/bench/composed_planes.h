@@ -40,7 +40,11 @@ struct ComposedFrame {
 /// the seed.
 class PlaneComposer {
 public:
-    static Result<PlaneComposer> open(const std::filesystem::path& data, std::uint64_t seed);
+    /// Poor: posters with little on them, from more sets, and blurred frames with little noise, too.
+    enum class Material { Usual, Poor };
+
+    static Result<PlaneComposer> open(const std::filesystem::path& data, std::uint64_t seed,
+                                      Material material = Material::Usual);
 
     int templateCount() const { return static_cast<int>(m_posters.size()); }
     ComposedTemplate templateAt(int number) const;
@@ -54,11 +58,12 @@ private:
         double widthM = 0.0, heightM = 0.0;
     };
 
-    explicit PlaneComposer(std::uint64_t seed) : m_seed(seed) {}
+    PlaneComposer(std::uint64_t seed, Material material) : m_seed(seed), m_material(material) {}
     static Poster cut(const cv::Mat& photograph, cv::RNG& draw);
     cv::Mat room(cv::RNG& draw) const;
 
     std::uint64_t m_seed;
+    Material m_material;
     std::vector<Poster> m_posters, m_unknown;
     std::vector<cv::Mat> m_rooms;
 };

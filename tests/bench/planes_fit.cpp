@@ -6,11 +6,13 @@
 //                                                                  recognition --data FOLDER, or the peer
 //   bench_planes_fit measure DATA SEED FRAMES EXTRACTOR           a row of a table, once fitted
 //   bench_planes_fit fit trials.tsv...                            the weights
+// Seeds from 1000 on make the poor material of composed_planes.h.
 
 #include "app/farol-cli/evaluate/data_set.h"
 #include "app/farol-cli/evaluate/posters.h"
 #include "core/recognition/grey.h"
 #include "core/recognition/object_matcher.h"
+#include "core/recognition/sharpness.h"
 #include "core/recognition/training.h"
 #include "tests/bench/composed_planes.h"
 
@@ -50,6 +52,11 @@ double overlap(const Quad& a, const Quad& b) {
     return both / (cv::contourArea(pa) + cv::contourArea(pb) - both);
 }
 
+/// So that a seed alone names what it made.
+PlaneComposer::Material materialOf(std::uint64_t seed) {
+    return seed >= 1000 ? PlaneComposer::Material::Poor : PlaneComposer::Material::Usual;
+}
+
 LandmarkLibrary trained(const PlaneComposer& composer, int drawn, const ExtractorOptions& extractor = {}) {
     LandmarkLibrary library;
     library.extractor = extractor;
@@ -76,9 +83,10 @@ void look(const ObjectMatcher& matcher, const FeatureExtractor& extractor, const
     cv::Mat grey = greyOf(frame.image);
     std::vector<ObjectTrial> trials;
     (void)matcher.match(grey, extractor.extract(grey), &trials);
-    std::printf("F\t%d\t%d\t%zu\n", number, frame.difficulty, frame.shown.size());
     std::string shown;
     for (const auto& one : frame.shown) shown += one.name + " ";
+    std::printf("F\t%d\t%d\t%zu\t%.2f\t%s\n", number, frame.difficulty, frame.shown.size(), sharpness(grey),
+                shown.c_str());
     for (const ObjectTrial& trial : trials) {
         double best = 0.0;
         for (const auto& one : frame.shown)
@@ -100,7 +108,7 @@ std::vector<std::filesystem::path> roomFolders(const std::filesystem::path& data
 }
 
 int gather(const std::string& data, std::uint64_t seed, int frames, int drawn) {
-    auto composer = PlaneComposer::open(data, seed);
+    auto composer = PlaneComposer::open(data, seed, materialOf(seed));
     if (!composer) {
         std::fprintf(stderr, "%s\n", composer.error().message.c_str());
         return 1;
@@ -134,7 +142,7 @@ std::string cornersOf(const Quad& quad) {
 
 int write(const std::string& data, std::uint64_t seed, int frames, std::filesystem::path folder) {
     folder = folder / "images" / "planar_landmarks";
-    auto composer = PlaneComposer::open(data, seed);
+    auto composer = PlaneComposer::open(data, seed, materialOf(seed));
     if (!composer) {
         std::fprintf(stderr, "%s\n", composer.error().message.c_str());
         return 1;
@@ -170,7 +178,7 @@ int write(const std::string& data, std::uint64_t seed, int frames, std::filesyst
 /// One row of a table: recall easy, medium, hard; precision; false in frames without a template; such frames;
 /// median milliseconds of the processor.
 int measure(const std::string& data, std::uint64_t seed, int frames, const std::string& extractor) {
-    auto composer = PlaneComposer::open(data, seed);
+    auto composer = PlaneComposer::open(data, seed, materialOf(seed));
     auto options = ExtractorOptions::named(extractor);
     if (!composer || !options) {
         std::fprintf(stderr, "%s\n", (composer ? options.error() : composer.error()).message.c_str());

@@ -2,7 +2,11 @@
 // upside down, absurdly large.
 
 #include "core/recognition/landmark_recogniser.h"
+#include "core/recognition/root_sift.h"
+#include "core/recognition/scale_space.h"
+#include "core/recognition/training.h"
 
+#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include <gmock/gmock.h>
@@ -39,6 +43,24 @@ TEST(PlanesInFrames, TwoOfOneTemplateAreTwo) {
     EXPECT_EQ(found[1].templateId.value, "poster-5");
     EXPECT_GT(test::sharedArea(found[0].quad, left), 0.8);
     EXPECT_GT(test::sharedArea(found[1].quad, right), 0.8);
+}
+
+/// A picture that shows the same thing twice is like itself shifted by half.
+TEST(PlanesInFrames, APosterThatShowsAThingTwiceHangsThereOnce) {
+    cv::Mat half = test::poster(9), twice;
+    cv::vconcat(half, half, twice);
+    LandmarkLibrary library;
+    std::vector<unsigned char> bytes;
+    cv::imencode(".png", twice, bytes);
+    ASSERT_TRUE(
+        addView(library, {TemplateId("twice"), Kind::Poster, "", {}, {}}, {bytes.begin(), bytes.end()}, {}));
+    LandmarkRecogniser one(std::make_shared<const LandmarkLibrary>(std::move(library)));
+    const Quad quad = quadOf({210, 60, 200, 200.0 * twice.rows / twice.cols});
+    cv::Mat picture = test::room(3);
+    test::hang(picture, twice, quad);
+    auto found = one.recognise(picture).detections;
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_GT(test::sharedArea(found[0].quad, quad), 0.8);
 }
 
 TEST(PlanesInFrames, APosterCutOffByTheFrameIsFoundWithItsWholeOutline) {
@@ -120,6 +142,26 @@ TEST(PlanesInFrames, APictureOfTwentyThousandPixelsIsAnswered) {
     EXPECT_EQ(foundIn(wide).size(), 1U);
     cv::resize(picture, tall, {60, 20000}, 0, 0, cv::INTER_LINEAR);
     EXPECT_THAT(foundIn(tall), testing::IsEmpty());
+}
+
+TEST(Keypoints, ABusyPartLeavesSomeForThePlainPart) {
+    cv::Mat picture(480, 640, CV_8U, cv::Scalar(120));
+    cv::RNG draw(7);
+    for (int i = 0; i < 2500; ++i) // hard dots on the left, faint ones on the right
+        cv::circle(picture, {draw.uniform(0, 420), draw.uniform(0, 480)}, draw.uniform(2, 5),
+                   cv::Scalar(draw.uniform(0, 255)), cv::FILLED);
+    for (int i = 0; i < 120; ++i)
+        cv::circle(picture, {draw.uniform(440, 635), draw.uniform(5, 475)}, draw.uniform(3, 6),
+                   cv::Scalar(120 + draw.uniform(6, 12)), cv::FILLED);
+    ScaleSpace space;
+    std::vector<cv::KeyPoint> keypoints;
+    cv::Mat descriptors;
+    rootSift(picture, {}, space, keypoints, descriptors);
+    auto plain =
+        std::count_if(keypoints.begin(), keypoints.end(), [](const auto& one) { return one.pt.x > 440.0F; });
+    EXPECT_GE(plain, 60);
+    EXPECT_TRUE(std::is_sorted(keypoints.begin(), keypoints.end(),
+                               [](const auto& a, const auto& b) { return a.response > b.response; }));
 }
 
 } // namespace

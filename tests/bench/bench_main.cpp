@@ -1,6 +1,7 @@
 // farol-bench: Google Benchmark over core, or `--walk MAP LIBRARY FRAMES` over a real walk.
 
 #include "tests/bench/film.h"
+#include "tests/bench/library_bench.h"
 #include "tests/bench/planner_table.h"
 #include "tests/bench/walk_bench.h"
 
@@ -18,6 +19,7 @@ int usage() {
                  "[--record DIR]\n"
                  "       farol-bench --film FRAMES OUT.avi [--seconds S] [--count N]\n"
                  "       farol-bench --planners REGIONS...\n"
+                 "       farol-bench --libraries TEMPLATES...\n"
                  "       farol-bench [options of Google Benchmark, such as --benchmark_filter=Navigator]\n");
     return 2;
 }
@@ -79,12 +81,23 @@ int planners(int argc, char** argv) {
     return regions.empty() ? usage() : farol::bench::benchPlanners(regions);
 }
 
+int libraries(int argc, char** argv) {
+    std::vector<int> templates;
+    for (int i = 2; i < argc; ++i) {
+        int value = std::atoi(argv[i]);
+        if (value < 1 || value > 100000) return usage();
+        templates.push_back(value);
+    }
+    return templates.empty() ? usage() : farol::bench::benchLibraries(templates);
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
     if (argc > 1 && std::strcmp(argv[1], "--walk") == 0) return walk(argc, argv);
     if (argc > 1 && std::strcmp(argv[1], "--film") == 0) return film(argc, argv);
     if (argc > 1 && std::strcmp(argv[1], "--planners") == 0) return planners(argc, argv);
+    if (argc > 1 && std::strcmp(argv[1], "--libraries") == 0) return libraries(argc, argv);
     if (argc > 1 && std::strcmp(argv[1], "--help") == 0) usage();
     benchmark::Initialize(&argc, argv);
     if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;

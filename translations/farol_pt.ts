@@ -7569,6 +7569,10 @@ Ligue a câmara, ou escolha imagens ou uma gravação.</translation>
         <translation>saiu da imagem</translation>
     </message>
     <message>
+        <source>a likeness within one already found</source>
+        <translation>uma semelhança dentro de um já encontrado</translation>
+    </message>
+    <message>
         <source>a line goes across it</source>
         <translation>uma linha atravessa-o</translation>
     </message>

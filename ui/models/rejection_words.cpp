@@ -40,6 +40,7 @@ constexpr Reason kReasons[]{
     {"kind_not_asked_for", QT_TRANSLATE_NOOP("farol::ui::Words", "of a kind that is not looked for")},
     {"known_by_its_look", QT_TRANSLATE_NOOP("farol::ui::Words", "told by its trained look instead")},
     {"left_view", QT_TRANSLATE_NOOP("farol::ui::Words", "left the picture")},
+    {"lies_across_itself", QT_TRANSLATE_NOOP("farol::ui::Words", "a likeness within one already found")},
     {"line_across", QT_TRANSLATE_NOOP("farol::ui::Words", "a line goes across it")},
     {"line_up_the_middle", QT_TRANSLATE_NOOP("farol::ui::Words", "a line goes up its middle")},
     {"lone_stroke", QT_TRANSLATE_NOOP("farol::ui::Words", "a stroke rather than a letter")},

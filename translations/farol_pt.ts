@@ -6558,6 +6558,10 @@ Ligue a câmara, ou escolha imagens ou uma gravação.</translation>
         <source>good</source>
         <translation>bom</translation>
     </message>
+    <message>
+        <source>No view is straight from the front: add one, to learn from how far it is found.</source>
+        <translation>Nenhuma vista é bem de frente: junte uma, para saber de que distância se encontra.</translation>
+    </message>
 </context>
 <context>
     <name>farol::ui::UtteranceModel</name>

@@ -370,6 +370,12 @@ void TrainingTest::theReportNamesWhatIsConfused() {
     QCOMPARE(confused.index(1, 0).data().toString(), QStringLiteral("3"));
     QVERIFY(confused.index(1, 0).data(Qt::AccessibleTextRole).toString().contains(QLatin1String("3 times")));
     QVERIFY(TrainingWords::verdict(checks[1]).contains(QLatin1String("poster-1")));
+    checks[0].shown = 0; // only aslant views: nothing could be shown smaller or turned
+    const auto told = [&](Kind kind) {
+        return TrainingWords::health(checks[0], kind).join(QLatin1Char(' '));
+    };
+    QVERIFY(told(Kind::Poster).contains(QLatin1String("straight from the front")));
+    QVERIFY(!told(Kind::Place).contains(QLatin1String("straight from the front")));
 }
 
 void TrainingTest::aFileChangedByAnotherProgramIsNotOverwritten() {

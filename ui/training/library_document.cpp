@@ -24,7 +24,9 @@ private:
 
 LibraryDocument::LibraryDocument(QObject* parent) : QObject(parent), m_background(this) {}
 
-LibraryDocument::~LibraryDocument() = default;
+LibraryDocument::~LibraryDocument() {
+    m_undo.disconnect(); // its end is no change
+}
 
 void LibraryDocument::take(const QString& path, Library library) {
     m_undo.clear();

@@ -140,7 +140,7 @@ QVariant LibraryModel::data(const QModelIndex& index, int role) const {
         return int(Qt::AlignRight | Qt::AlignVCenter);
     if (role == Qt::ToolTipRole) {
         if (index.column() == Health && check(entry.id))
-            return TrainingWords::health(*check(entry.id)).join(QLatin1Char('\n'));
+            return TrainingWords::health(*check(entry.id), entry.kind).join(QLatin1Char('\n'));
         if (index.column() == Name) return tr("In maps called “%1”").arg(toQString(entry.id.value));
     }
     return role == Qt::DisplayRole || role == Qt::ToolTipRole ? text(entry, index.column()) : QVariant();

@@ -188,7 +188,7 @@ void LibraryPanel::showChosen() {
     const Template& entry = m_model.library()->templates[*index];
     m_detailTitle->setText(toQString(entry.name.empty() ? entry.id.value : entry.name));
     const recognition::TemplateCheck* check = m_model.check(entry.id);
-    m_health->setText(check ? TrainingWords::health(*check).join(QLatin1Char('\n'))
+    m_health->setText(check ? TrainingWords::health(*check, entry.kind).join(QLatin1Char('\n'))
                             : tr("Not checked yet. “Check all” looks how well each landmark is found."));
     fillViews();
 }

@@ -160,10 +160,11 @@ void TeachTry::refresh() {
         m_verdict->setText(m_reel.current() ? tr("Looking…") : tr("No picture yet."));
         m_tallies->clear();
     }
-    m_health->setText(m_session.checking() ? tr("Looking how well it is found…")
-                      : m_session.health()
-                          ? TrainingWords::health(*m_session.health()).join(QLatin1Char('\n'))
-                          : QString());
+    m_health->setText(
+        m_session.checking() ? tr("Looking how well it is found…")
+        : m_session.health()
+            ? TrainingWords::health(*m_session.health(), m_session.draft().kind).join(QLatin1Char('\n'))
+            : QString());
 }
 
 void TeachTry::retranslate() {

@@ -314,7 +314,7 @@ void TeachViews::refresh() {
     if (m_session.checking())
         health = tr("Looking how well it is found…");
     else if (m_session.health())
-        health = TrainingWords::health(*m_session.health()).join(QLatin1Char('\n'));
+        health = TrainingWords::health(*m_session.health(), m_session.draft().kind).join(QLatin1Char('\n'));
     else
         health = tr("Nothing yet: add a view.");
     if (m_session.oldViews() > 0)

@@ -59,7 +59,7 @@ private:
     bool m_judged = false;
     bool m_shown = false;
     bool m_asked = false; ///< for the outline, by the user
-    QString m_told; ///< what was refused, until the next picture or outline
+    QString m_told;       ///< what was refused, until the next picture or outline
 };
 
 } // namespace farol::ui

@@ -50,7 +50,7 @@ QString TrainingWords::advice(Advice advice) {
     return tr("These views are enough. More do no harm.");
 }
 
-QStringList TrainingWords::health(const recognition::TemplateCheck& check) {
+QStringList TrainingWords::health(const recognition::TemplateCheck& check, Kind kind) {
     QStringList lines;
     if (check.tested == 0)
         lines << tr("There is one view only: nothing to look for it with. Add another.");
@@ -68,6 +68,8 @@ QStringList TrainingWords::health(const recognition::TemplateCheck& check) {
         lines << (check.widestDegrees > 0.0
                       ? tr("Found up to %1 degrees aside.").arg(locale.toString(check.widestDegrees, 'f', 0))
                       : tr("Not found from aside. Add views from the left and the right."));
+    } else if (check.shown == 0 && kind != Kind::Place) {
+        lines << tr("No view is straight from the front: add one, to learn from how far it is found.");
     } else if (check.shown > 0) {
         lines << tr("Never found when shown smaller or turned. Choose something with more detail.");
     }

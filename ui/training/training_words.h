@@ -15,7 +15,7 @@ class TrainingWords {
 public:
     static QString advice(recognition::Advice advice);
     /// Sentences about one template: found again, how far, how far aside, confused with what.
-    static QStringList health(const recognition::TemplateCheck& check);
+    static QStringList health(const recognition::TemplateCheck& check, Kind kind);
     /// The same in a few words: "good", "confused with poster-2", "hard to find".
     static QString verdict(const recognition::TemplateCheck& check);
     static bool worrying(const recognition::TemplateCheck& check);

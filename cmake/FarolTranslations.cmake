@@ -3,7 +3,7 @@
 # translator's work.
 include_guard()
 
-set(FAROL_LANGUAGES en pt)
+set(FAROL_LANGUAGES en pt es fr de)
 
 # farol_translation_resources(<variable>): a C++ source with every .qm as :/farol/translations/farol_<language>.qm.
 # It belongs into the library whose installTranslation() names the resource (Q_INIT_RESOURCE).
@@ -27,11 +27,14 @@ function(farol_translation_resources sources)
 endfunction()
 
 # English holds plural forms only: its texts are the ones in the sources.
+set(FAROL_FULL_LANGUAGES ${FAROL_LANGUAGES})
+list(REMOVE_ITEM FAROL_FULL_LANGUAGES en)
+list(TRANSFORM FAROL_FULL_LANGUAGES REPLACE "(.+)" "translations/farol_\\1.ts" OUTPUT_VARIABLE FAROL_FULL_TS)
 add_custom_target(update_translations
   COMMAND Qt6::lupdate -silent -recursive -I ${PROJECT_SOURCE_DIR} -locations none -no-obsolete -pluralonly
           ui app -ts translations/farol_en.ts
   COMMAND Qt6::lupdate -silent -recursive -I ${PROJECT_SOURCE_DIR} -locations none -no-obsolete
-          ui app -ts translations/farol_pt.ts
+          ui app -ts ${FAROL_FULL_TS}
   WORKING_DIRECTORY ${PROJECT_SOURCE_DIR}
   COMMENT "Collecting texts of ui/ and app/ into translations/farol_*.ts"
   VERBATIM)

@@ -1704,10 +1704,6 @@ Abra uma câmara, um vídeo ou uma pasta de imagens e depois prima Reproduzir.</
         <translation>as teclas</translation>
     </message>
     <message>
-        <source>English or Portuguese</source>
-        <translation>inglês ou português</translation>
-    </message>
-    <message>
         <source>everything with two keys</source>
         <translation>tudo com duas teclas</translation>
     </message>
@@ -1758,6 +1754,10 @@ Abra uma câmara, um vídeo ou uma pasta de imagens e depois prima Reproduzir.</
     <message>
         <source>Distances in steps.</source>
         <translation>Distâncias em passos.</translation>
+    </message>
+    <message>
+        <source>another language</source>
+        <translation>outro idioma</translation>
     </message>
 </context>
 <context>
@@ -3254,11 +3254,11 @@ Abra um com Ctrl+O.</translation>
     </message>
     <message>
         <source>go through the door</source>
-        <translation>passe a porta</translation>
+        <translation>atravesse a porta</translation>
     </message>
     <message>
         <source>go through the opening</source>
-        <translation>passe a abertura</translation>
+        <translation>atravesse a abertura</translation>
     </message>
     <message>
         <source>take the stairs up</source>
@@ -3359,11 +3359,6 @@ Abra um com Ctrl+O.</translation>
     <message>
         <source>%1: your destination, %2.</source>
         <translation>%1: o seu destino, %2.</translation>
-    </message>
-    <message>
-        <source>%1: %2.</source>
-        <extracomment>%1 &quot;Soon&quot;, %2 &quot;stairs up&quot;</extracomment>
-        <translation>%1: %2.</translation>
     </message>
     <message>
         <source>Your destination is here.</source>
@@ -3795,27 +3790,27 @@ Abra um com Ctrl+O.</translation>
     </message>
     <message>
         <source>go straight on through the door</source>
-        <translation>siga em frente e passe a porta</translation>
+        <translation>siga em frente e atravesse a porta</translation>
     </message>
     <message>
         <source>go straight on through the opening</source>
-        <translation>siga em frente e passe a abertura</translation>
+        <translation>siga em frente e atravesse a abertura</translation>
     </message>
     <message>
         <source>go through the door %1</source>
-        <translation>passe a porta %1</translation>
+        <translation>atravesse a porta %1</translation>
     </message>
     <message>
         <source>go through the opening %1</source>
-        <translation>passe a abertura %1</translation>
+        <translation>atravesse a abertura %1</translation>
     </message>
     <message>
         <source>go through the %1 door %2</source>
-        <translation>passe a %1 porta %2</translation>
+        <translation>atravesse a %1 porta %2</translation>
     </message>
     <message>
         <source>go through the %1 opening %2</source>
-        <translation>passe a %1 abertura %2</translation>
+        <translation>atravesse a %1 abertura %2</translation>
     </message>
     <message>
         <source>%1, then %2</source>
@@ -4020,6 +4015,120 @@ Abra um com Ctrl+O.</translation>
             <numerusform>Continue em frente cerca de %n passo.</numerusform>
             <numerusform>Continue em frente cerca de %n passos.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>go straight on through two doors in a row</source>
+        <translation>siga em frente e atravesse duas portas seguidas</translation>
+    </message>
+    <message>
+        <source>go straight on through two openings in a row</source>
+        <translation>siga em frente e atravesse duas aberturas seguidas</translation>
+    </message>
+    <message>
+        <source>go straight on through the next door</source>
+        <translation>siga em frente e atravesse a próxima porta</translation>
+    </message>
+    <message>
+        <source>go straight on through the next opening</source>
+        <translation>siga em frente e atravesse a próxima abertura</translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <comment>when, what comes</comment>
+        <extracomment>%1 &quot;Soon&quot;, %2 &quot;stairs up&quot;</extracomment>
+        <translation>%1: %2.</translation>
+    </message>
+    <message>
+        <source>%1, %2.</source>
+        <comment>when, what to do</comment>
+        <extracomment>%1 &quot;Soon&quot;, %2 &quot;go through the door&quot;</extracomment>
+        <translation>%1, %2.</translation>
+    </message>
+    <message>
+        <source>an extinguisher</source>
+        <translation>um extintor</translation>
+    </message>
+    <message>
+        <source>an exit sign</source>
+        <translation>um sinal de saída</translation>
+    </message>
+    <message>
+        <source>a sign</source>
+        <translation>uma placa</translation>
+    </message>
+    <message>
+        <source>a text</source>
+        <translation>um texto</translation>
+    </message>
+    <message>
+        <source>a window</source>
+        <translation>uma janela</translation>
+    </message>
+    <message>
+        <source>a locker</source>
+        <translation>um cacifo</translation>
+    </message>
+    <message>
+        <source>a poster</source>
+        <translation>um cartaz</translation>
+    </message>
+    <message>
+        <source>a drinking fountain</source>
+        <translation>um bebedouro</translation>
+    </message>
+    <message>
+        <source>a hydrant</source>
+        <translation>uma boca de incêndio</translation>
+    </message>
+    <message>
+        <source>a vending machine</source>
+        <translation>uma máquina de venda automática</translation>
+    </message>
+    <message>
+        <source>a waste bin</source>
+        <translation>um caixote do lixo</translation>
+    </message>
+    <message>
+        <source>a plant</source>
+        <translation>uma planta</translation>
+    </message>
+    <message>
+        <source>a piece of furniture</source>
+        <translation>um móvel</translation>
+    </message>
+    <message>
+        <source>a picture</source>
+        <translation>um quadro</translation>
+    </message>
+    <message>
+        <source>turn slightly left</source>
+        <comment>on the spot</comment>
+        <translation>vire-se um pouco para a esquerda</translation>
+    </message>
+    <message>
+        <source>turn left</source>
+        <comment>on the spot</comment>
+        <translation>vire-se para a esquerda</translation>
+    </message>
+    <message>
+        <source>turn sharply left</source>
+        <comment>on the spot</comment>
+        <translation>vire-se muito para a esquerda</translation>
+    </message>
+    <message>
+        <source>turn slightly right</source>
+        <comment>on the spot</comment>
+        <translation>vire-se um pouco para a direita</translation>
+    </message>
+    <message>
+        <source>turn right</source>
+        <comment>on the spot</comment>
+        <translation>vire-se para a direita</translation>
+    </message>
+    <message>
+        <source>turn sharply right</source>
+        <comment>on the spot</comment>
+        <translation>vire-se muito para a direita</translation>
     </message>
 </context>
 <context>

@@ -8,6 +8,7 @@
 #include "core/session/navigation_session.h"
 #include "core/session/recorder.h"
 #include "core/simulation/walk_source.h"
+#include "ui/speech/phrasebook.h"
 
 #include <QCoreApplication>
 
@@ -75,6 +76,7 @@ session::SessionOptions sessionOptions(const RunOptions& options) {
     session::SessionOptions session;
     session.navigator = session::NavigatorOptions::with(options.localiser);
     session.navigator.guidance.verbosity = verbosities().at(options.verbosity);
+    session.navigator.guidance.language = ui::installedLanguage().toStdString();
     session.pace =
         options.realTime || options.speak ? session::Pace::RealTime : session::Pace::AsFastAsPossible;
     if (!options.record.empty()) session.recordFolder = options.record;
@@ -262,7 +264,8 @@ void addRun(CLI::App& app, int& exitCode) {
     command->add_flag("--speak", options->speak, "Speak the utterances (implies --realtime)");
     command->add_option("--record", options->record, "New folder for a recording of the walk");
     command->add_flag("--json-lines", options->jsonLines, "One JSON object a line instead of a transcript");
-    command->add_option("--lang", options->language, "Language of the words: en, pt")->capture_default_str();
+    command->add_option("--lang", options->language, "Language of the words: en, pt, es, fr, de")
+        ->capture_default_str();
     command->callback([options, &exitCode] { exitCode = run(*options); });
 }
 
@@ -274,7 +277,8 @@ void addReplay(CLI::App& app, int& exitCode) {
     command->add_option("--localiser", options->localiser,
                         "Vote again with this one instead of the recorded one");
     command->add_flag("--json-lines", options->jsonLines, "One JSON object a line instead of a transcript");
-    command->add_option("--lang", options->language, "Language of the words: en, pt")->capture_default_str();
+    command->add_option("--lang", options->language, "Language of the words: en, pt, es, fr, de")
+        ->capture_default_str();
     command->callback([options, &exitCode] { exitCode = replayRecording(*options); });
 }
 

@@ -70,7 +70,7 @@ Options optionsFrom(const QStringList& arguments) {
     const auto to = value("to", "where", "Where to go");
     const auto localiser =
         value("localiser", "name", "bayes-guided, bayes, voting or voting-literal (as in the settings)");
-    const auto lang = value("lang", "language", "en or pt");
+    const auto lang = value("lang", "language", "en, pt, es, fr or de");
     const auto start = flag("start", "Begin to play at once");
     const auto banner = value("banner", "text", "Which example is running");
     const auto screenshot = value("screenshot", "file", "Save a picture of the window, then quit");

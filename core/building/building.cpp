@@ -45,6 +45,18 @@ std::optional<Kind> kindIn(const Names<Kind, N>& names, const std::string& wante
     return std::nullopt;
 }
 
+/// "name_pt", as in tables, or "name:pt", as in OpenStreetMap.
+std::optional<std::string> nameFrom(const Attributes& extra, const std::string& language) {
+    if (language.empty()) return std::nullopt;
+    for (const char* between : {"_", ":"}) {
+        auto found = extra.find(std::string("name") + between + language);
+        if (found == extra.end()) continue;
+        const auto* name = std::get_if<std::string>(&found->second);
+        if (name != nullptr && !name->empty()) return *name;
+    }
+    return std::nullopt;
+}
+
 template <class Key>
 std::optional<std::size_t> find(const std::unordered_map<Key, std::size_t>& index, const Key& key) {
     auto it = index.find(key);
@@ -207,8 +219,17 @@ bool Building::nearLevelChange(std::size_t regionIndex) const {
     return regionIndex < m_nearLevelChange.size() && m_nearLevelChange[regionIndex];
 }
 
-std::string spokenName(const Region& region) {
-    if (!region.name.empty()) return region.name;
+std::string nameIn(const Region& region, const std::string& language) {
+    return nameFrom(region.extra, language).value_or(region.name);
+}
+
+std::string nameIn(const Level& level, const std::string& language) {
+    return nameFrom(level.extra, language).value_or(level.name);
+}
+
+std::string spokenName(const Region& region, const std::string& language) {
+    std::string name = nameIn(region, language);
+    if (!name.empty()) return name;
     return region.ref.empty() ? region.id.value : region.ref;
 }
 

@@ -166,8 +166,12 @@ private:
     void indexNeighbours();
 };
 
+/// The name in a language ("pt"), from the field name_pt where the map has one; else the map's own. An empty
+/// language asks for the map's own.
+std::string nameIn(const Region& region, const std::string& language);
+std::string nameIn(const Level& level, const std::string& language);
 /// The region's name, else its ref, else its id: never empty.
-std::string spokenName(const Region& region);
+std::string spokenName(const Region& region, const std::string& language = {});
 
 std::string regionKindName(RegionKind kind);
 std::optional<RegionKind> regionKindFromName(const std::string& name);

@@ -114,7 +114,8 @@ bool isSayable(const std::string& name) {
     return !hasIdentifier(name);
 }
 
-std::string sayableName(const Region& region) {
+std::string sayableName(const Region& region, const std::string& language) {
+    if (std::string name = nameIn(region, language); isSayable(name)) return name;
     if (isSayable(region.name)) return region.name;
     return isSayable(region.ref) ? region.ref : std::string();
 }

@@ -12,7 +12,7 @@ namespace farol::building {
 bool isPlaceholderName(const std::string& name);
 /// A name that people know the thing by: no placeholder, no identifier of a program.
 bool isSayable(const std::string& name);
-/// The region's name, else its ref, when it can be said; else empty.
-std::string sayableName(const Region& region);
+/// The region's name in the language, else its own, else its ref, when it can be said; else empty.
+std::string sayableName(const Region& region, const std::string& language = {});
 
 } // namespace farol::building

@@ -112,12 +112,15 @@ std::vector<Surrounding> CueStep::accessesAround(std::size_t region, Bearing bea
         const Access& access = m_building.accesses()[index];
         auto other = m_building.otherSide(access, region);
         if (!other || !access.passable()) continue;
+        const building::Region& here = m_building.regions()[region];
         const building::Region& behind = m_building.regions()[*other];
+        // In the car one knows that there is a lift.
+        if (here.kind == building::RegionKind::Elevator && behind.kind == here.kind) continue;
         Surrounding what;
         what.access = routing::manoeuvreKindOf(access.kind);
-        what.name = building::sayableName(behind);
+        what.name = building::sayableName(behind, m_options.language);
         what.behind = behind.kind;
-        double rise = behind.level - m_building.regions()[region].level;
+        double rise = behind.level - here.level;
         if (rise != 0.0) what.vertical = rise > 0.0 ? routing::Vertical::Up : routing::Vertical::Down;
         if (!access.line.empty()) place(what, access.midpoint(), bearing, zero);
         found.push_back(std::move(what));

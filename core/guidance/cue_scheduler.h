@@ -6,6 +6,7 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace farol::guidance {
@@ -15,6 +16,7 @@ enum class Verbosity { Directions, Objects, ObjectsAndTexts };
 
 struct GuidanceOptions {
     Verbosity verbosity = Verbosity::Objects;
+    std::string language; ///< "pt": names in it where the map has them (field name_pt); empty: its own
     double prepareDistanceM = 6.0;
     double actDistanceM = 2.0;
     double reassureEveryM = 10.0;
@@ -58,6 +60,7 @@ public:
     CueScheduler& operator=(CueScheduler&&) noexcept;
 
     void setVerbosity(Verbosity verbosity) { m_options.verbosity = verbosity; }
+    void setLanguage(std::string language) { m_options.language = std::move(language); }
     /// The cues this frame causes, most urgent first; often none.
     std::vector<Cue> update(std::uint64_t frame, const localisation::Fix& fix, const Progress& progress,
                             const std::vector<localisation::Observation>& fresh);

@@ -124,15 +124,16 @@ void CueStep::nameRegion(Cue& cue, const RegionId& region) const {
 /// Of a destination that the map does not have nothing but its id is known.
 std::string CueStep::nameOf(const RegionId& region) const {
     const building::Region* known = m_building.region(region);
-    if (known != nullptr) return building::sayableName(*known);
+    if (known != nullptr) return building::sayableName(*known, m_options.language);
     return building::isSayable(region.value) ? region.value : std::string();
 }
 
 std::string CueStep::levelName(double ordinal, bool asOnButtons) const {
     const building::Level* level = m_building.level(ordinal);
     if (level == nullptr) return formatNumber(ordinal);
-    const std::string& first = asOnButtons ? level->ref : level->name;
-    const std::string& second = asOnButtons ? level->name : level->ref;
+    const std::string name = building::nameIn(*level, m_options.language);
+    const std::string& first = asOnButtons ? level->ref : name;
+    const std::string& second = asOnButtons ? name : level->ref;
     if (building::isSayable(first)) return first;
     return building::isSayable(second) ? second : formatNumber(ordinal);
 }
@@ -213,6 +214,8 @@ bool CueStep::facesWay() const {
 void CueStep::countDoors(Manoeuvre& manoeuvre) const {
     if (manoeuvre.side == routing::Side::None) return;
     bool justEntered = m_progress.regionsPassed > 0 && m_fix.time - m_memory.enteredAt < kJustEnteredSeconds;
+    // Before its leg has begun it is the route's own.
+    if (m_progress.route && m_progress.route->regions[m_progress.regionsPassed] != manoeuvre.from) return;
     bool turnsBefore = m_progress.next && m_progress.next->kind == ManoeuvreKind::Turn;
     if (m_fix.position && m_fix.level == manoeuvre.level) {
         double sigma = std::max(kStraightM, std::hypot(m_fix.sigmaM, kWalkingSpeed * age()));
@@ -271,7 +274,7 @@ void CueStep::fillManoeuvre(Cue& cue, const Manoeuvre& manoeuvre,
     if (cue.region.empty()) nameRegion(cue, manoeuvre.into);
     if (const building::Region* from = m_building.region(manoeuvre.from)) cue.fromKind = from->kind;
     if (const building::Region* into = m_building.region(manoeuvre.into)) {
-        cue.intoName = building::sayableName(*into);
+        cue.intoName = building::sayableName(*into, m_options.language);
         cue.intoKind = into->kind;
     }
     if (manoeuvre.targetLevel != manoeuvre.level || changesLevel(manoeuvre.kind)) {
@@ -291,6 +294,7 @@ void CueStep::addManoeuvre(Cue cue, const Manoeuvre& manoeuvre, const std::optio
     // Stairs and lifts are told once more by themselves, with their steps and the level.
     if (cue.next && !changesLevel(cue.next->kind)) {
         m_memory.told[keyOf(*cue.next)] = m_fix.time;
+        m_memory.followed[keyOf(*cue.next)] = m_fix.time;
         m_memory.prepared.insert(keyOf(*cue.next));
     }
     add(std::move(cue));
@@ -304,6 +308,7 @@ void CueStep::tellRoute() {
         m_memory.regionIndex.reset();
         m_memory.told.clear();
         m_memory.acted.clear();
+        m_memory.followed.clear();
         m_memory.prepared.clear();
         m_memory.announcedInto.clear();
         m_memory.routeToldAt.reset();
@@ -470,7 +475,7 @@ void CueStep::tellMeasured(const Manoeuvre& next) {
                               m_fix.time - toldAt->second < kActAfterStartSeconds;
         bool holdBack = toldRecently(m_memory.told, key, pause) || startIsToldNow ||
                         toldRecently(m_memory.acted, key, repeatAfter);
-        if (holdBack) return;
+        if (holdBack || tellWhatFollows(next, measured)) return;
         Cue cue = routeCue(CueKind::Act, CuePriority::ActNow, kActSeconds);
         addManoeuvre(std::move(cue), next, m_progress.afterNext);
     } else if (expected <= m_options.prepareDistanceM) {
@@ -488,6 +493,23 @@ void CueStep::tellMeasured(const Manoeuvre& next) {
     } else {
         tellReassurance(expected);
     }
+}
+
+/// Of an opening that was told together with the one before it, nothing is left to say: what matters is what
+/// comes behind, while there is time to say it.
+bool CueStep::tellWhatFollows(const Manoeuvre& next, double measuredM) {
+    const std::optional<Manoeuvre>& after = m_progress.afterNext;
+    bool isGap = next.kind == ManoeuvreKind::Door || next.kind == ManoeuvreKind::Opening;
+    bool isTold = toldRecently(m_memory.followed, keyOf(next), m_options.repeatAfterSeconds);
+    if (!isGap || !isTold || !after || after->kind == ManoeuvreKind::Arrive || after->from != next.into ||
+        !inTheSameBreath(next, after))
+        return false;
+    m_memory.acted[keyOf(next)] = m_fix.time;
+    Cue cue = routeCue(CueKind::Prepare, CuePriority::Prepare, kPrepareSeconds);
+    if (distanceIsGood()) cue.distanceM = measuredM + after->atM - next.atM;
+    addManoeuvre(std::move(cue), *after, std::nullopt);
+    m_cues.back().validIn.push_back(next.from);
+    return true;
 }
 
 /// The way from where the region is entered to the manoeuvre, from the route's geometry.

@@ -20,6 +20,7 @@ struct SchedulerMemory {
     double enteredAt = 0.0;
     std::map<std::string, double> told;      ///< manoeuvre -> when, as main or second part of a cue
     std::map<std::string, double> acted;     ///< manoeuvre -> when it was told to be done now
+    std::map<std::string, double> followed;  ///< manoeuvre -> when it was told as the second part of a cue
     std::set<std::string> prepared;          ///< announced when they came near, or as the next thing
     std::optional<double> startedAt;         ///< when the beginning of the route was told
     std::optional<double> routeToldAt;       ///< any cue of the route
@@ -89,6 +90,7 @@ private:
     void tellOffRoute();
     void tellManoeuvre();
     void tellMeasured(const routing::Manoeuvre& next);
+    bool tellWhatFollows(const routing::Manoeuvre& next, double measuredM);
     void tellUnmeasured(const routing::Manoeuvre& next);
     void tellAgain(const routing::Manoeuvre& next);
     void tellReassurance(double aheadM);

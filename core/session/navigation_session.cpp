@@ -362,6 +362,10 @@ void NavigationSession::setVerbosity(guidance::Verbosity verbosity) {
     m_impl->inbox.post(Command(VerbosityCommand{verbosity}));
 }
 
+void NavigationSession::setLanguage(const std::string& language) {
+    m_impl->inbox.post(Command(LanguageCommand{language}));
+}
+
 void NavigationSession::ask(guidance::Question question) {
     m_impl->inbox.post(Command(AskCommand{question}));
 }

@@ -67,6 +67,7 @@ public:
     void setStart(const std::optional<RegionId>& region);
     void setDestination(const std::optional<building::Location>& destination);
     void setVerbosity(guidance::Verbosity verbosity);
+    void setLanguage(const std::string& language); ///< of the map's names: "pt"
     /// The answer comes as a cue to the `warning` handler, also while paused.
     void ask(guidance::Question question);
     void pause();

@@ -106,6 +106,10 @@ void Navigator::setVerbosity(guidance::Verbosity verbosity) {
     m_scheduler.setVerbosity(verbosity);
 }
 
+void Navigator::setLanguage(std::string language) {
+    m_scheduler.setLanguage(std::move(language));
+}
+
 NavigationStep Navigator::advance(Percept percept) {
     percept.time = std::max(percept.time, m_lastTime);
     m_lastTime = percept.time;

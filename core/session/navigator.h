@@ -43,6 +43,8 @@ public:
     /// step.
     void setDestination(const std::optional<building::Location>& destination);
     void setVerbosity(guidance::Verbosity verbosity);
+    /// Of the names from the map, where it has several: "pt".
+    void setLanguage(std::string language);
     /// A percept whose time runs backwards counts as of the time before.
     NavigationStep advance(Percept percept);
     guidance::Cue warning(guidance::CueReason reason, std::string detail);

@@ -34,6 +34,9 @@ struct DestinationCommand {
 struct VerbosityCommand {
     guidance::Verbosity verbosity = guidance::Verbosity::Objects;
 };
+struct LanguageCommand {
+    std::string language;
+};
 struct WarningCommand {
     guidance::CueReason reason = guidance::CueReason::None;
     std::string detail;
@@ -44,8 +47,8 @@ struct MessageCommand {
 struct AskCommand {
     guidance::Question question = guidance::Question::WhereAmI;
 };
-using Command = std::variant<StartCommand, DestinationCommand, VerbosityCommand, WarningCommand,
-                             MessageCommand, AskCommand>;
+using Command = std::variant<StartCommand, DestinationCommand, VerbosityCommand, LanguageCommand,
+                             WarningCommand, MessageCommand, AskCommand>;
 using RecordEntry = std::variant<Percept, Command>;
 
 /// Writes as the walk goes, handed to the system once a frame. After a failure (full disk) it stays quiet:

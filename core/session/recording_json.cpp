@@ -86,6 +86,7 @@ void readRouting(JsonFields fields, routing::RouteOptions& options, JsonFields& 
 Json guidanceJson(const guidance::GuidanceOptions& options) {
     Json json;
     json["verbosity"] = verbosityName(options.verbosity);
+    if (!options.language.empty()) json["language"] = options.language;
     json["prepare_distance_m"] = exactNumber(options.prepareDistanceM);
     json["act_distance_m"] = exactNumber(options.actDistanceM);
     json["reassure_every_m"] = exactNumber(options.reassureEveryM);
@@ -102,6 +103,7 @@ Json guidanceJson(const guidance::GuidanceOptions& options) {
 
 void readGuidance(JsonFields fields, guidance::GuidanceOptions& options, JsonFields& outer) {
     options.verbosity = verbosityFrom(fields);
+    options.language = fields.textOr("language", options.language);
     options.prepareDistanceM = fields.numberOr("prepare_distance_m", options.prepareDistanceM);
     options.actDistanceM = fields.numberOr("act_distance_m", options.actDistanceM);
     options.reassureEveryM = fields.numberOr("reassure_every_m", options.reassureEveryM);
@@ -164,6 +166,8 @@ Result<RecordLine> commandFrom(JsonFields& fields) {
         command = destinationFrom(fields);
     } else if (word == "verbosity") {
         command = VerbosityCommand{verbosityFrom(fields)};
+    } else if (word == "language") {
+        command = LanguageCommand{fields.text("language")};
     } else if (word == "warning") {
         command = WarningCommand{reasonFrom(fields), fields.textOr("detail", "")};
     } else if (word == "message") {
@@ -245,6 +249,9 @@ Json commandJson(const Command& command) {
     } else if (const auto* verbosity = std::get_if<VerbosityCommand>(&command)) {
         json["command"] = "verbosity";
         json["verbosity"] = verbosityName(verbosity->verbosity);
+    } else if (const auto* language = std::get_if<LanguageCommand>(&command)) {
+        json["command"] = "language";
+        json["language"] = language->language;
     } else if (const auto* warning = std::get_if<WarningCommand>(&command)) {
         json["command"] = "warning";
         json["reason"] = guidance::cueReasonName(warning->reason);

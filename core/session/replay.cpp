@@ -107,6 +107,8 @@ void apply(const Command& command, Navigator& navigator, const ReplayHandlers& h
         navigator.setDestination(destination->destination);
     } else if (const auto* verbosity = std::get_if<VerbosityCommand>(&command)) {
         navigator.setVerbosity(verbosity->verbosity);
+    } else if (const auto* language = std::get_if<LanguageCommand>(&command)) {
+        navigator.setLanguage(language->language);
     } else if (const auto* warning = std::get_if<WarningCommand>(&command)) {
         guidance::Cue cue = navigator.warning(warning->reason, warning->detail);
         if (handlers.warning) handlers.warning(cue);

@@ -39,5 +39,26 @@ TEST(Sayable, TheRefStandsInForAPlaceholder) {
     EXPECT_EQ(sayableName(region), "");
 }
 
+TEST(Sayable, NamesInALanguageFallBackToTheMapsOwn) {
+    Region region;
+    region.id = RegionId("r1");
+    region.name = "Library";
+    region.extra["name_pt"] = std::string("Biblioteca");
+    region.extra["name:de"] = std::string("Bibliothek");
+    region.extra["name_fr"] = std::string();
+    region.extra["name_es"] = std::string("TBD");
+    EXPECT_EQ(nameIn(region, "pt"), "Biblioteca");
+    EXPECT_EQ(sayableName(region, "pt"), "Biblioteca");
+    EXPECT_EQ(sayableName(region, "de"), "Bibliothek");
+    EXPECT_EQ(sayableName(region, "fr"), "Library") << "an empty name is none";
+    EXPECT_EQ(sayableName(region, "es"), "Library") << "a placeholder is none";
+    EXPECT_EQ(sayableName(region, "fi"), "Library");
+    EXPECT_EQ(sayableName(region), "Library");
+    EXPECT_EQ(spokenName(region, "pt"), "Biblioteca");
+    EXPECT_EQ(spokenName(region, ""), "Library");
+    region.extra["name_pt"] = std::int64_t{7};
+    EXPECT_EQ(nameIn(region, "pt"), "Library") << "a number is no name";
+}
+
 } // namespace
 } // namespace farol::building

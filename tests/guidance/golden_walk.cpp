@@ -172,6 +172,7 @@ routing::Route planned(const routing::Planner& planner, const GoldenBuilding& go
 
 guidance::GuidanceOptions optionsOf(const GoldenBuilding& golden) {
     guidance::GuidanceOptions options;
+    options.language = ui::installedLanguage().toStdString();
     options.verbosity =
         golden.seesObjects ? guidance::Verbosity::ObjectsAndTexts : guidance::Verbosity::Directions;
     return options;

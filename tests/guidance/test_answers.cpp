@@ -2,6 +2,7 @@
 
 #include "tests/guidance/guided.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 
 using namespace farol;
@@ -47,6 +48,31 @@ TEST(Answers, WhereOneIs) {
     EXPECT_EQ(cue.levelName, "Level 0");
     EXPECT_EQ(cue.priority, CuePriority::Answer);
     EXPECT_TRUE(cue.validIn.empty());
+}
+
+TEST(Answers, NamesAreInTheLanguageThatIsSpoken) {
+    building::BuildingData data = lobby().data();
+    for (building::Region& region : data.regions)
+        if (region.id.value == "L") region.extra["name_pt"] = std::string("Átrio");
+    data.levels.front().extra["name_pt"] = std::string("Piso 0");
+    auto building = std::make_shared<const building::Building>(std::move(data));
+    GuidanceOptions options;
+    options.language = "pt";
+    CueScheduler scheduler(building, options);
+    localisation::Fix fix;
+    fix.region = RegionId("L");
+    fix.confidence = 0.95;
+    fix.level = 0.0;
+    fix.position = Point2{6.0, 3.0};
+    fix.sigmaM = 0.5;
+    Cue here = scheduler.answer(Question::WhereAmI, 1, fix, {});
+    EXPECT_EQ(here.regionName, "Átrio");
+    Cue around = scheduler.answer(Question::AroundMe, 1, fix, {});
+    EXPECT_TRUE(std::any_of(around.around.begin(), around.around.end(), [](const Surrounding& each) {
+        return each.name == "Bar";
+    })) << "a name in no other language stays";
+    scheduler.setLanguage("en");
+    EXPECT_NE(scheduler.answer(Question::WhereAmI, 1, fix, {}).regionName, "Átrio");
 }
 
 TEST(Answers, InOrNextToWhenOnlyThatIsSure) {

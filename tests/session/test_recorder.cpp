@@ -25,6 +25,7 @@ std::vector<RecordEntry> eventfulWalk() {
                 Command(WarningCommand{guidance::CueReason::CameraLost, "the cable \"fell\" out"}));
         if (frame == 4) entries.emplace_back(Command(WarningCommand{guidance::CueReason::CameraBack, ""}));
         if (frame == 6) entries.emplace_back(Command(VerbosityCommand{guidance::Verbosity::ObjectsAndTexts}));
+        if (frame == 7) entries.emplace_back(Command(LanguageCommand{"pt"}));
         if (frame == 8)
             entries.emplace_back(
                 Command(MessageCommand{"9.jpg cannot be read as a picture; skipped (1 so far)"}));
@@ -93,6 +94,7 @@ TEST_F(RecorderTest, TheOptionsOfTheWalkAreThoseOfItsReplay) {
     options.tracker.offRouteFixes = 3;
     options.guidance.reassureEverySeconds = 1.0 / 3.0;
     options.guidance.verbosity = guidance::Verbosity::Directions;
+    options.guidance.language = "pt";
     options.routing.avoidStairs = true;
     std::vector<std::string> walked = walkAndRecord(options);
     EXPECT_EQ(replayed(), walked);

@@ -272,10 +272,10 @@ void KioskTest::keysSpeakBeforeALongWalk() {
 }
 
 void KioskTest::thePageHasNamesAndLargeLetters() {
-    for (const char* language : {"en", "pt"}) {
-        m_settings->setLanguage(QString::fromLatin1(language));
+    for (const Language& language : languages()) {
+        m_settings->setLanguage(language.code);
         start();
-        installTranslation(QString::fromLatin1(language));
+        installTranslation(language.code);
         m_kiosk->machine().retranslate();
         key(Qt::Key_F1); // the longest text
         QTRY_COMPARE(m_kiosk->machine().state(), KioskState::Help);

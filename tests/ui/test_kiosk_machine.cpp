@@ -27,6 +27,7 @@ private Q_SLOTS:
     void kindsAndFloors();
     void nothingIsTakenUnheard();
     void everyKeyFromEveryStateSpeaks();
+    void oneKeyGoesThroughTheLanguages();
     void settingsAreKept();
     void quietTellsWarningsAndAnswersOnly();
     void theNumberPad_data();
@@ -217,6 +218,19 @@ void KioskMachineTest::everyKeyFromEveryStateSpeaks() {
         }
         m_settings->setLanguage(QStringLiteral("en"));
     }
+}
+
+void KioskMachineTest::oneKeyGoesThroughTheLanguages() {
+    m_settings->setLanguage(QStringLiteral("en"));
+    installTranslation(QStringLiteral("en"));
+    QStringList chosen;
+    for (qsizetype i = 0; i < languages().size(); ++i) {
+        press(Qt::Key_F2);
+        chosen << m_settings->language();
+        installTranslation(m_settings->language());
+    }
+    QCOMPARE(chosen, QStringList({QStringLiteral("pt"), QStringLiteral("es"), QStringLiteral("fr"),
+                                  QStringLiteral("de"), QStringLiteral("en")}));
 }
 
 void KioskMachineTest::settingsAreKept() {

@@ -354,8 +354,8 @@ void MainWindowTest::showMapPage() {
 
 void MainWindowTest::theMapPageHasNames() {
     showMapPage();
-    for (const QString& language : {QStringLiteral("en"), QStringLiteral("pt")}) {
-        m_settings->setLanguage(language);
+    for (const Language& language : languages()) {
+        m_settings->setLanguage(language.code);
         for (int tab = 0; tab < m_window->mapPage().tabs().count(); ++tab) {
             m_window->mapPage().tabs().setCurrentIndex(tab);
             QCOMPARE(nameless(*m_window).join(QStringLiteral(", ")), QString());

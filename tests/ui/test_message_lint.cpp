@@ -6,6 +6,8 @@
 #include <QRegularExpression>
 #include <QTest>
 
+#include <map>
+
 using farol::fromDegrees;
 using farol::Kind;
 using farol::building::RegionKind;
@@ -22,6 +24,7 @@ using farol::routing::ManoeuvreKind;
 using farol::routing::Side;
 using farol::routing::Vertical;
 using farol::ui::DirectionStyle;
+using farol::ui::installedLanguage;
 using farol::ui::installTranslation;
 using farol::ui::Phrasebook;
 
@@ -82,6 +85,23 @@ QRegularExpression rule(const char* pattern) {
                                                               QRegularExpression::UseUnicodePropertiesOption);
 }
 
+/// Articles that have to melt into the word before them, vowels that have to go, one of several things.
+const QRegularExpression& badGrammar() {
+    static const std::map<QString, QRegularExpression> kRules{
+        {"en", rule("\\ba [aeiou]\\w|\\ban [^aeiou]|\\b1 (met(re|er)s|steps|feet)")},
+        {"pt", rule("\\b(de|em|por) (o|a|os|as|um|uma)\\b|\\b1 (metros|passos|pés)")},
+        {"es",
+         rule("\\b(de|a) el\\b|\\bde usted\\b.*\\btu\\b|\\b1 (metros?|pasos?|pies?)|\\b(tú|tu|tus)\\b")},
+        {"fr", rule("\\b(de|à) (le|les)\\b|\\b(le|la|de|que|ne|je|me) [aeéèêiou](?!nze)|\\b1 mètres|"
+                    "[^\u00a0 ][:?!]|\\b(tu|ton|ta|tes)\\b")},
+        {"de", rule("\\b(in|zu|an|von|bei) dem (?!Name)|\\bzu der\\b|\\b1 "
+                    "(Metern|Schritte)|\\b(du|dir|dich|dein\\w*)\\b|"
+                    "\\b(in|zu) (ein|etwa ein) (Meter|Schritt)")}};
+    static const QRegularExpression kNone(QStringLiteral("(?!)"));
+    const auto found = kRules.find(installedLanguage());
+    return found != kRules.end() ? found->second : kNone;
+}
+
 QString fault(const Cue& cue, const QString& said) {
     const QString text = withoutNames(said);
     static const QRegularExpression placeholder = rule("%[0-9nL]|\\(s\\)");
@@ -91,9 +111,10 @@ QString fault(const Cue& cue, const QString& said) {
     static const QRegularExpression noWord =
         rule("\\b(nan|inf|null|undefined|unnamed|tbd|input name here)\\b");
     static const QRegularExpression jargon = rule(
-        "\\b(region|fix|cue|vote|manoeuvre|access|portal|node|polygon|id|região|manobra|acesso|voto)\\b");
+        "\\b(region|fix|cue|vote|manoeuvre|access|portal|node|polygon|id|região|manobra|acesso|voto|"
+        "región|maniobra|acceso|nodo|région|manœuvre|accès|nœud|manöver|zugang|stimme|knoten|polygono?)\\b");
     static const QRegularExpression code = rule("\\d{4,}|[0-9a-f]{8}|_");
-    static const QRegularExpression metres = rule("\\bmet(re|ro|er|ers|res|ros|ros|r|rs)\\b|mètre");
+    static const QRegularExpression metres = rule("\\bmet(re|ro|er|ern|ers|res|ros|r|rs)\\b|mètre");
     if (text.isEmpty()) return {};
     if (text.contains(placeholder)) return QStringLiteral("a placeholder is left");
     if (text.contains(spaces)) return QStringLiteral("spaces");
@@ -102,6 +123,7 @@ QString fault(const Cue& cue, const QString& said) {
     if (text.contains(noWord)) return QStringLiteral("no word for ears");
     if (text.contains(jargon)) return QStringLiteral("jargon");
     if (text.contains(code)) return QStringLiteral("digits read as a code");
+    if (text.contains(badGrammar())) return QStringLiteral("grammar");
     if (!cue.sure && text.contains(metres)) return QStringLiteral("metres of a guess");
     const qsizetype words = text.split(QLatin1Char(' '), Qt::SkipEmptyParts).size();
     if (words > mostWords(cue)) return QStringLiteral("%1 words").arg(words);
@@ -188,7 +210,8 @@ private Q_SLOTS:
 
 void TestMessageLint::everyCueIsFitToBeHeard_data() {
     QTest::addColumn<QString>("language");
-    for (const char* language : {"en", "pt"}) QTest::newRow(language) << QString::fromLatin1(language);
+    for (const farol::ui::Language& each : farol::ui::languages())
+        QTest::newRow(qPrintable(each.code)) << each.code;
 }
 
 void TestMessageLint::everyCueIsFitToBeHeard() {
@@ -286,7 +309,9 @@ void TestMessageLint::leftAndRightAreNotMixedUp() {
     struct Words {
         const char *language, *left, *right;
     };
-    for (const Words& words : {Words{"en", "left", "right"}, Words{"pt", "esquerda", "direita"}}) {
+    for (const Words& words : {Words{"en", "left", "right"}, Words{"pt", "esquerda", "direita"},
+                               Words{"es", "izquierda", "derecha"}, Words{"fr", "gauche", "droite"},
+                               Words{"de", "links", "rechts"}}) {
         QVERIFY(installTranslation(QString::fromLatin1(words.language)));
         for (Side side : {Side::Left, Side::Right}) {
             Cue cue;

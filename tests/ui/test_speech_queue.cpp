@@ -135,6 +135,7 @@ private Q_SLOTS:
     void cueOfAnotherPlaceIsNeverSpoken();
     void cueOfAnOldRouteIsCutOff();
     void nothingToMoveWaitsBehindStop();
+    void theLastOrderIsHeardToItsEnd();
     void actMakesItsPreparationSuperfluous();
     void sameTextIsNotRepeatedWithin15Seconds();
     void sameWordsAtTwoCornersAreBothTold();
@@ -149,6 +150,34 @@ private Q_SLOTS:
     void lateReportsOfTheVoiceAreHarmless();
     void emptySentenceIsNothing();
 };
+
+/// Who goes through the last door hears all of "go through the door", then that it was the last one.
+void TestSpeechQueue::theLastOrderIsHeardToItsEnd() {
+    const auto order = [](CueKind kind, const char* into) {
+        Cue cue = turn(kind, 0.0);
+        cue.manoeuvre->kind = routing::ManoeuvreKind::Door;
+        cue.manoeuvre->into = RegionId(into);
+        cue.validIn = {RegionId("corridor")};
+        return cue;
+    };
+    Cue arrived = cueOf(CueKind::Arrived, CuePriority::Arrival, 2.0);
+    arrived.region = RegionId("library");
+    Walk walk;
+    walk.queue.add(order(CueKind::Act, "library"));
+    walk.queue.setNow(2.0, RegionId("library"), 0);
+    walk.queue.add(arrived);
+    QCOMPARE(walk.output.said.size(), 1);
+    walk.finishAll();
+    QCOMPARE(walk.output.said.last(), QStringLiteral("You have arrived."));
+
+    // What was said of another door, or only announced, must not be heard in the destination.
+    for (const Cue& other : {order(CueKind::Act, "hall"), order(CueKind::Prepare, "library")}) {
+        Walk next;
+        next.queue.add(other);
+        next.queue.add(arrived);
+        QCOMPARE(next.output.said.last(), QStringLiteral("You have arrived."));
+    }
+}
 
 void TestSpeechQueue::ownWordsComeAtOnceAndCostNoInstruction() {
     Walk walk;

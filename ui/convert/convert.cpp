@@ -1,6 +1,7 @@
 #include "ui/convert/convert.h"
 
 #include "core/base/text.h"
+#include "ui/speech/phrasebook.h"
 
 #include <cmath>
 
@@ -49,7 +50,7 @@ QString levelLabel(const building::Building& building, double ordinal) {
 }
 
 QString regionLabel(const building::Region& region) {
-    const QString name = toQString(building::spokenName(region));
+    const QString name = toQString(building::spokenName(region, toUtf8(installedLanguage())));
     const QString ref = toQString(region.ref);
     if (ref.isEmpty() || name.contains(ref, Qt::CaseInsensitive)) return name;
     return QStringLiteral("%1 · %2").arg(name, ref);
@@ -57,7 +58,8 @@ QString regionLabel(const building::Region& region) {
 
 QString regionName(const building::Building* building, const RegionId& id) {
     const building::Region* region = building ? building->region(id) : nullptr;
-    return region ? toQString(building::spokenName(*region)) : toQString(id.value);
+    return region ? toQString(building::spokenName(*region, toUtf8(installedLanguage())))
+                  : toQString(id.value);
 }
 
 } // namespace farol::ui

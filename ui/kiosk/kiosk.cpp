@@ -97,6 +97,7 @@ void Kiosk::connectVoice() {
             [this] { m_walk.setVerbosity(m_settings.verbosity()); });
     connect(&m_settings, &Settings::languageChanged, this, [this] {
         installTranslation(m_settings.language());
+        m_walk.followLanguage();
         m_machine.retranslate();
     });
 }

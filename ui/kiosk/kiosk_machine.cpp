@@ -17,6 +17,14 @@ constexpr int kSweepMs = 6000;    // as the coached look around of someone lost
 constexpr int kPatienceMs = 200;  // longer, and a key seems to do nothing
 constexpr double kRateStep = 0.2; // five steps to each side
 
+/// One key goes round: whoever hears words he does not understand presses it again.
+QString nextLanguage() {
+    const QList<Language>& all = languages();
+    qsizetype at = 0;
+    while (at < all.size() && all[at].code != installedLanguage()) ++at;
+    return all[(at + 1) % all.size()].code;
+}
+
 } // namespace
 
 KioskMachine::KioskMachine(Settings& settings, QObject* parent) : QObject(parent), m_settings(settings) {
@@ -228,8 +236,7 @@ bool KioskMachine::performSetting(KioskCommand command) {
         m_settings.setUnit(static_cast<DistanceUnit>((static_cast<int>(m_settings.unit()) + 1) % 3));
         break;
     case KioskCommand::Language:
-        m_settings.setLanguage(installedLanguage() == QLatin1String("pt") ? QStringLiteral("en")
-                                                                          : QStringLiteral("pt"));
+        m_settings.setLanguage(nextLanguage());
         break;
     case KioskCommand::Switches:
         m_settings.setTwoKeys(!m_settings.twoKeys());

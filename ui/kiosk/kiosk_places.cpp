@@ -2,6 +2,7 @@
 
 #include "ui/convert/convert.h"
 #include "ui/models/words.h"
+#include "ui/speech/phrasebook.h"
 #include "ui/speech/spoken.h"
 
 #include <algorithm>
@@ -21,7 +22,7 @@ bool canBeNamed(const Region& region) {
 }
 
 QString nameAndNumber(const Region& region) {
-    QString name = spoken::name(building::spokenName(region));
+    QString name = spoken::name(building::spokenName(region, toUtf8(installedLanguage())));
     const QString ref = spoken::name(region.ref);
     if (!ref.isEmpty() && !name.contains(ref, Qt::CaseInsensitive)) name += QLatin1Char(' ') + ref;
     return name;

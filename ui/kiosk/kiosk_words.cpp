@@ -273,7 +273,7 @@ QString KioskWords::meaning(KioskCommand command) {
     case KioskCommand::Help:
         return tr("the keys");
     case KioskCommand::Language:
-        return tr("English or Portuguese");
+        return tr("another language");
     case KioskCommand::Switches:
         return tr("everything with two keys");
     case KioskCommand::None:

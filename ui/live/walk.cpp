@@ -3,6 +3,7 @@
 #include "core/base/database_source.h"
 #include "core/recognition/landmark_library.h"
 #include "ui/convert/convert.h"
+#include "ui/speech/phrasebook.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -193,6 +194,7 @@ void Walk::open(bool stepOnly) {
     options.navigator = session::NavigatorOptions::with(toUtf8(m_localiser));
     options.navigator.guidance.verbosity = m_verbosity;
     if (m_adjust) m_adjust(options);
+    options.navigator.guidance.language = toUtf8(installedLanguage());
     m_recording = m_nextFolder ? m_nextFolder().value_or(QString()) : QString();
     if (!m_recording.isEmpty()) options.recordFolder = toUtf8(m_recording);
     capture::SourceOptions sourceOptions;
@@ -314,6 +316,10 @@ void Walk::setDestination(const std::optional<RegionId>& region) {
 void Walk::setVerbosity(guidance::Verbosity verbosity) {
     m_verbosity = verbosity;
     if (m_session) m_session->setVerbosity(verbosity);
+}
+
+void Walk::followLanguage() {
+    if (m_session) m_session->setLanguage(toUtf8(installedLanguage()));
 }
 
 void Walk::ask(guidance::Question question) {

@@ -55,6 +55,8 @@ public:
     /// How the next walk works out the place: one of localisation::localiserNames().
     void setLocaliser(const QString& name) { m_localiser = name; }
     const QString& localiser() const { return m_localiser; }
+    /// The program speaks another language now: the names of places follow.
+    void followLanguage();
     /// The answer comes as a cue; without a walk none comes.
     void ask(guidance::Question question);
     /// Changes the options of the next walk; called as it begins.

@@ -173,9 +173,9 @@ void MainWindow::connectVoice() {
     connect(a.mute, &QAction::toggled, &m_settings, &Settings::setMuted);
     connect(&m_settings, &Settings::mutedChanged, a.mute, &QAction::setChecked);
     a.mute->setChecked(m_settings.muted());
-    connect(a.english, &QAction::triggered, this, [this] { m_settings.setLanguage(QStringLiteral("en")); });
-    connect(a.portuguese, &QAction::triggered, this,
-            [this] { m_settings.setLanguage(QStringLiteral("pt")); });
+    for (QAction* language : a.languages)
+        connect(language, &QAction::triggered, this,
+                [this, language] { m_settings.setLanguage(language->data().toString()); });
     connect(&m_settings, &Settings::languageChanged, this, [this] { applyLanguage(m_settings); });
 }
 
@@ -452,14 +452,15 @@ void MainWindow::retranslate() {
     m_pageTabs->setAccessibleName(tr("Pages"));
     m_pageTabs->setToolTip(tr("Watch a walk, work on a map, or teach landmarks (Ctrl+1 to Ctrl+3)"));
     m_actions->closeLibrary->setEnabled(!m_walk.libraryName().isEmpty());
-    const bool portuguese = installedLanguage() == QLatin1String("pt");
-    (portuguese ? m_actions->portuguese : m_actions->english)->setChecked(true);
+    for (QAction* language : m_actions->languages)
+        language->setChecked(language->data().toString() == installedLanguage());
     statusBar()->setAccessibleName(tr("State of the walk"));
     m_busy->setToolTip(tr("Something is being loaded"));
 }
 
 void MainWindow::changeEvent(QEvent* event) {
     if (event->type() == QEvent::LanguageChange) {
+        m_walk.followLanguage();
         m_actions->retranslate();
         m_demoBar->retranslate();
         m_localisers->retranslate();

@@ -90,8 +90,7 @@ void SettingsDialog::addForms() {
 
 void SettingsDialog::buildWords(QFormLayout& form) {
     m_language->addItem(tr("As the computer is set"), QString());
-    m_language->addItem(QStringLiteral("English"), QStringLiteral("en"));
-    m_language->addItem(QStringLiteral("Português"), QStringLiteral("pt"));
+    for (const Language& each : languages()) m_language->addItem(each.name, each.code);
     m_language->setCurrentIndex(std::max(0, m_language->findData(m_settings.language())));
     name(m_language, tr("Language"), tr("Language of the window and of the voice"));
     form.addRow(tr("&Language:"), m_language);

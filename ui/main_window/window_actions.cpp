@@ -1,6 +1,7 @@
 #include "ui/main_window/window_actions.h"
 
 #include "ui/parts/naming.h"
+#include "ui/speech/phrasebook.h"
 
 #include <QAction>
 #include <QActionGroup>
@@ -86,11 +87,12 @@ void WindowActions::buildMenus() {
     mute = add(m_voice, {Qt::CTRL | Qt::Key_M}, true);
     sayThis = add(m_voice, {Qt::CTRL | Qt::Key_E});
     m_language = m_voice->addMenu(QString());
-    english = add(m_language, {}, true);
-    portuguese = add(m_language, {}, true);
-    auto* languages = new QActionGroup(this);
-    languages->addAction(english);
-    languages->addAction(portuguese);
+    auto* oneLanguage = new QActionGroup(this);
+    for (const Language& each : farol::ui::languages()) {
+        languages << add(m_language, {}, true);
+        languages.back()->setData(each.code);
+        oneLanguage->addAction(languages.back());
+    }
 
     m_view = bar->addMenu(QString());
     walkPage = add(m_view, {Qt::CTRL | Qt::Key_1}, true);
@@ -262,8 +264,10 @@ void WindowActions::retranslate() {
          tr("Save times, places and sentences of this walk for a spreadsheet"));
     name(repeat, tr("&Repeat"), tr("Repeat"), tr("Say the last instruction again"));
     name(mute, tr("Voice o&ff"), tr("Voice off"), tr("Show sentences without speaking them"));
-    name(english, QStringLiteral("English"), QStringLiteral("English"), QStringLiteral("English"));
-    name(portuguese, QStringLiteral("Português"), QStringLiteral("Português"), QStringLiteral("Português"));
+    for (qsizetype i = 0; i < languages.size(); ++i) {
+        const QString& own = farol::ui::languages()[i].name;
+        name(languages[i], own, own, own);
+    }
 
     name(walkPage, tr("Wal&k page"), tr("Walk"), tr("Watch a walk"));
     name(mapPage, tr("&Map page"), tr("Map"), tr("Look at the map of a building, check it and change it"));

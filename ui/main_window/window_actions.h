@@ -33,7 +33,8 @@ public:
     QAction *here, *wrong, *sayThis, *revote, *figures, *savePicture, *saveWalk;
     QAction *walkPage, *mapPage, *landmarksPage;
     QAction *grid, *rejected, *follow, *fitMap, *zoomIn, *zoomOut, *nextPane, *previousPane;
-    QAction *english, *portuguese, *help, *welcome, *keys, *about;
+    QAction *help, *welcome, *keys, *about;
+    QList<QAction*> languages; ///< data(): "pt"
     QMenu *recentMaps, *recentLibraries, *recentSources;
     QComboBox* speed;
 

@@ -3,6 +3,7 @@
 #include "core/base/text.h"
 #include "ui/convert/convert.h"
 #include "ui/models/words.h"
+#include "ui/speech/phrasebook.h"
 
 #include <algorithm>
 
@@ -14,13 +15,14 @@ void RegionModel::setBuilding(std::shared_ptr<const building::Building> building
     m_order.clear();
     if (m_building) {
         const auto& regions = m_building->regions();
+        const std::string language = toUtf8(installedLanguage());
         for (std::size_t i = 0; i < regions.size(); ++i) m_order.push_back(i);
         std::stable_sort(m_order.begin(), m_order.end(), [&](std::size_t a, std::size_t b) {
             const building::Region& first = regions[a];
             const building::Region& second = regions[b];
             if (first.name.empty() != second.name.empty()) return second.name.empty();
             if (first.level != second.level) return first.level < second.level;
-            return naturalLess(spokenName(first), spokenName(second));
+            return naturalLess(spokenName(first, language), spokenName(second, language));
         });
     }
     endResetModel();
@@ -65,8 +67,9 @@ QVariant RegionModel::data(const QModelIndex& index, int role) const {
     case LevelRole:
         return region.level;
     case SearchRole: {
-        const QString words =
-            QStringLiteral("%1 %2 %3").arg(label(region), toQString(region.ref), toQString(region.id.value));
+        const QString words = QStringLiteral("%1 %2 %3 %4")
+                                  .arg(label(region), toQString(region.ref), toQString(region.id.value),
+                                       toQString(region.name));
         return toQString(foldedForMatching(toUtf8(words)));
     }
     default:

@@ -93,7 +93,10 @@ bool Settings::store(const QString& key, const T& value) {
 
 QString Settings::language() const {
     const QString language = m_store->value(kLanguage).toString();
-    return language == QLatin1String("en") || language == QLatin1String("pt") ? language : QString();
+    const auto& all = languages();
+    const bool known =
+        std::any_of(all.begin(), all.end(), [&](const Language& each) { return each.code == language; });
+    return known ? language : QString();
 }
 
 void Settings::setLanguage(const QString& language) {

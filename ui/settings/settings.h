@@ -31,7 +31,7 @@ public:
     /// `file` empty: the user's own settings. Tests give a file.
     explicit Settings(const QString& file = {}, QObject* parent = nullptr);
 
-    /// "en" or "pt"; empty: as the system says.
+    /// "en", "pt", …; empty: as the system says.
     QString language() const;
     void setLanguage(const QString& language);
     VoiceChoice voice() const;

@@ -90,18 +90,16 @@ QString Phrasebook::routeStart(const Cue& cue) const {
 /// Which way to turn before the way begins: only when the cue knows which way the user faces.
 QString Phrasebook::facing(const Cue& cue) const {
     if (!cue.turnFirst) return {};
-    if (cue.sure) return spoken::sentence(turnWords(*cue.turnFirst));
+    if (cue.sure) return spoken::sentence(turnOnTheSpot(*cue.turnFirst));
     //: %1 "turn left", "turn around"
-    return tr("Probably %1 first.").arg(turnWords(*cue.turnFirst));
+    return tr("Probably %1 first.").arg(turnOnTheSpot(*cue.turnFirst));
 }
 
 QString Phrasebook::prepare(const Cue& cue) const {
     if (!cue.manoeuvre) return {};
     // A thing that is felt tells more than metres do.
     const int metres = cue.sure && !cue.mark ? counted(cue.distanceM) : 0;
-    const QString opener = metres > 0 ? ahead(metres)
-                           : cue.sure ? tr("Soon")
-                                      : tr("Soon, probably");
+    const QString opener = metres > 0 ? ahead(metres) : cue.sure ? tr("Soon") : tr("Soon, probably");
     return spoken::joined({facing(cue), announced(cue, opener, *cue.manoeuvre)});
 }
 
@@ -218,7 +216,7 @@ QString Phrasebook::whereAround(const guidance::Surrounding& what, guidance::Bea
 
 /// "a door, Library"
 QString Phrasebook::whatAround(const guidance::Surrounding& what) {
-    QString noun = kindWord(what.kind);
+    QString noun = thingWords(what.kind);
     if (what.access) {
         Manoeuvre manoeuvre;
         manoeuvre.kind = *what.access;

@@ -57,12 +57,14 @@ private:
     static QString placeSentence(Feature feature, bool sure);
     static QString nearSentence(const Manoeuvre& manoeuvre);
     static QString action(Feature feature);
+    static QString thingWords(Kind kind);
     static QString hourWord(int hour);
     static QString ordinal(int number);
     static QString markWords(Kind kind);
     static QString regionWord(building::RegionKind kind);
     static QString compassWords(Radians fromNorth);
 
+    QString turnOnTheSpot(Radians turn) const;
     QString turningWords(Radians turn) const;
     QString whereWords(int hour, routing::Side side = routing::Side::None) const;
     QString sideWords(routing::Side side) const;
@@ -110,8 +112,14 @@ private:
     QString keepMoving(int count) const; ///< "Keep moving forward for about 20 metres."
 };
 
-/// Installs farol_<language>.qm (and Qt's own, where it is installed) for the whole program: "en", "pt", or a
-/// locale name such as "pt_BR". False when there is none, and English is used. Needs a QCoreApplication.
+struct Language {
+    QString code; ///< "pt"
+    QString name; ///< "Português": in itself, so that its speakers find it
+};
+/// All that the program speaks and shows, complete.
+const QList<Language>& languages();
+/// Installs farol_<language>.qm (and Qt's own, where it is installed) for the whole program: "en", "pt", … or
+/// a locale name such as "pt_BR". False when there is none, and English is used. Needs a QCoreApplication.
 bool installTranslation(const QString& language);
 /// What the program speaks now: "en", "pt".
 QString installedLanguage();

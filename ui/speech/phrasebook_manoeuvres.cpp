@@ -39,6 +39,26 @@ bool changesLevel(ManoeuvreKind kind) {
            kind == ManoeuvreKind::Escalator;
 }
 
+/// With nothing to be done in between: the way goes on as it was.
+bool isStraightGap(const routing::Manoeuvre& manoeuvre) {
+    return manoeuvre.behind && manoeuvre.side == Side::None &&
+           std::abs(manoeuvre.behind->value) < kTurnTold &&
+           std::abs(wrapped(manoeuvre.turn - *manoeuvre.behind).value) < kBesideRadians;
+}
+
+/// Two doors or two openings, one right behind the other. Told one by one they sound like an echo.
+bool isPair(const Cue& cue) {
+    const bool gap =
+        cue.manoeuvre->kind == ManoeuvreKind::Door || cue.manoeuvre->kind == ManoeuvreKind::Opening;
+    return gap && cue.next && cue.next->kind == cue.manoeuvre->kind && isStraightGap(*cue.next);
+}
+
+/// The order of the first one covers the second.
+bool saidAsPair(const Cue& cue) {
+    return isPair(cue) && cue.facingWay && cue.hour.value_or(12) % 12 == 0 && isStraightGap(*cue.manoeuvre) &&
+           cue.fromKind != RegionKind::Elevator && cue.intoKind != RegionKind::Elevator;
+}
+
 /// Is there something to be done right behind? In the lift one hears what to do there.
 bool followsAtOnce(const Cue& cue) {
     if (!cue.next || cue.next->kind == ManoeuvreKind::Arrive || cue.next->kind == ManoeuvreKind::Start)
@@ -220,9 +240,8 @@ QString Phrasebook::gapClause(const Cue& cue) const {
     const QString where = gapWhere(cue);
     const bool arrives = cue.next && cue.next->kind == ManoeuvreKind::Arrive;
     const bool bends = manoeuvre.behind && !arrives && std::abs(manoeuvre.behind->value) >= kTurnTold;
-    const bool straight = !bends && !arrives && cue.facingWay && manoeuvre.behind &&
-                          manoeuvre.side == Side::None && cue.hour.value_or(12) % 12 == 0 &&
-                          std::abs(wrapped(manoeuvre.turn - *manoeuvre.behind).value) < kBesideRadians;
+    const bool straight =
+        !arrives && cue.facingWay && cue.hour.value_or(12) % 12 == 0 && isStraightGap(manoeuvre);
     const bool isNext = cue.kind == CueKind::Prepare && manoeuvre.number == 1 && cue.routeVersion != 0;
     const QString number = cue.kind == CueKind::Act && !cue.asked && cue.routeVersion != 0 ? QString()
                            : isNext && cue.facingWay && !cue.mark ? tr("next", "door or opening")
@@ -233,6 +252,9 @@ QString Phrasebook::gapClause(const Cue& cue) const {
         clause = tr("get out of the lift");
     else if (door && cue.intoKind == RegionKind::Elevator)
         clause = where.isEmpty() ? tr("go into the lift") : tr("go into the lift %1").arg(where);
+    else if (saidAsPair(cue))
+        clause = door ? tr("go straight on through two doors in a row")
+                      : tr("go straight on through two openings in a row");
     else if (straight)
         clause = door ? tr("go straight on through the door") : tr("go straight on through the opening");
     else if (where.isEmpty())
@@ -274,6 +296,9 @@ QString Phrasebook::clause(const Cue& cue) const {
 
 /// What follows at once, as a clause behind "then, straight away".
 QString Phrasebook::nextClause(const Cue& cue) const {
+    if (isPair(cue) && cue.intoKind != RegionKind::Elevator && cue.fromKind != RegionKind::Elevator)
+        return cue.next->kind == ManoeuvreKind::Door ? tr("go straight on through the next door")
+                                                     : tr("go straight on through the next opening");
     Cue second;
     second.kind = CueKind::Prepare; // with its number: it is counted from the first
     second.manoeuvre = cue.next;
@@ -325,7 +350,9 @@ QString Phrasebook::placeBehind(const Cue& cue, const Manoeuvre& manoeuvre) {
     QStringList place;
     if (changesLevel(manoeuvre.kind) && manoeuvre.kind != ManoeuvreKind::Elevator) place << levelWords(cue);
     const bool isPlace = manoeuvre.kind != ManoeuvreKind::Turn && manoeuvre.kind != ManoeuvreKind::Arrive;
-    if (isPlace) place << intoWords(cue);
+    // On arrival the name is told anyway; before, it would only make the order longer.
+    const bool told = arrives && cue.kind == CueKind::Act && !cue.asked;
+    if (isPlace && !told) place << intoWords(cue);
     if (arrives) place << tr("your destination");
     place.removeAll(QString());
     if (place.isEmpty() || cue.staying) return {};
@@ -349,7 +376,8 @@ QString Phrasebook::tail(const Cue& cue, const Manoeuvre& manoeuvre) const {
             sentences << tr("Inside, choose: %1.").arg(level);
         if (!follows || changesLevel(manoeuvre.kind)) sentences << placeBehind(cue, manoeuvre);
     }
-    if (follows && !isPrepare) sentences << tr("Then, straight away, %1.").arg(nextClause(cue));
+    if (follows && !isPrepare && !saidAsPair(cue))
+        sentences << tr("Then, straight away, %1.").arg(nextClause(cue));
     return spoken::joined(sentences);
 }
 
@@ -372,12 +400,12 @@ QString Phrasebook::announced(const Cue& cue, const QString& opener, const Manoe
     if (!mark.isEmpty()) what = tr("%1, %2", "mark").arg(what, mark);
     // Two things at once are enough.
     const bool bends = manoeuvre.behind && std::abs(manoeuvre.behind->value) >= kTurnTold;
-    const bool twoGaps =
-        cue.next && cue.next->kind == ManoeuvreKind::Opening && manoeuvre.kind == ManoeuvreKind::Opening;
-    if (isPrepare && followsAtOnce(cue) && !twoGaps && !bends && mark.isEmpty())
+    if (isPrepare && followsAtOnce(cue) && !isPair(cue) && !bends && mark.isEmpty())
         what = tr("%1, then %2").arg(what, nextNoun(cue));
     //: %1 "Soon", %2 "stairs up"
-    const QString head = asNoun ? tr("%1: %2.").arg(opener, what) : tr("%1, %2.").arg(opener, what);
+    const QString head = asNoun ? tr("%1: %2.", "when, what comes").arg(opener, what)
+                                //: %1 "Soon", %2 "go through the door"
+                                : tr("%1, %2.", "when, what to do").arg(opener, what);
     return spoken::joined({head, tail(cue, manoeuvre)});
 }
 

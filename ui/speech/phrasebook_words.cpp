@@ -80,6 +80,50 @@ QString Phrasebook::kindWord(Kind kind) {
     return tr("object");
 }
 
+/// As in "On your left: an extinguisher."
+QString Phrasebook::thingWords(Kind kind) {
+    switch (kind) {
+    case Kind::Door:
+        return tr("a door");
+    case Kind::Elevator:
+        return tr("a lift");
+    case Kind::Extinguisher:
+        return tr("an extinguisher");
+    case Kind::ExitSign:
+        return tr("an exit sign");
+    case Kind::Sign:
+        return tr("a sign");
+    case Kind::Text:
+        return tr("a text");
+    case Kind::Window:
+        return tr("a window");
+    case Kind::Locker:
+        return tr("a locker");
+    case Kind::Poster:
+        return tr("a poster");
+    case Kind::Fountain:
+        return tr("a drinking fountain");
+    case Kind::Hydrant:
+        return tr("a hydrant");
+    case Kind::VendingMachine:
+        return tr("a vending machine");
+    case Kind::Bin:
+        return tr("a waste bin");
+    case Kind::Plant:
+        return tr("a plant");
+    case Kind::Furniture:
+        return tr("a piece of furniture");
+    case Kind::Picture:
+        return tr("a picture");
+    case Kind::Stairs:
+    case Kind::Place:
+    case Kind::Rectangle:
+    case Kind::Other:
+        break;
+    }
+    return kindWord(kind);
+}
+
 QString Phrasebook::zoneWords(Zone zone) {
     QStringList words;
     if (zone.column == Column::Left) words << tr("left");
@@ -154,6 +198,29 @@ QString Phrasebook::turnWords(Radians turn) const {
         break;
     }
     return tr("go straight on");
+}
+
+/// For somebody who stands: a corner is walked round, this is not.
+QString Phrasebook::turnOnTheSpot(Radians turn) const {
+    if (m_style != DirectionStyle::LeftRight || !std::isfinite(turn.value)) return turnWords(turn);
+    switch (guidance::turnWord(turn)) {
+    case TurnWord::SlightLeft:
+        return tr("turn slightly left", "on the spot");
+    case TurnWord::Left:
+        return tr("turn left", "on the spot");
+    case TurnWord::SharpLeft:
+        return tr("turn sharply left", "on the spot");
+    case TurnWord::SlightRight:
+        return tr("turn slightly right", "on the spot");
+    case TurnWord::Right:
+        return tr("turn right", "on the spot");
+    case TurnWord::SharpRight:
+        return tr("turn sharply right", "on the spot");
+    case TurnWord::Back:
+    case TurnWord::Straight:
+        break;
+    }
+    return turnWords(turn);
 }
 
 /// The same as a part of "go through the door, ..."; empty for straight on, which has a sentence of its own.

@@ -43,6 +43,12 @@ bool sameManoeuvre(const Cue& a, const Cue& b) {
            a.manoeuvre->from == b.manoeuvre->from && a.manoeuvre->position == b.manoeuvre->position;
 }
 
+/// "Go through the door", while the user does just that: "you have arrived" can wait for its end.
+bool isLastOrder(const Cue& told, const Cue& arrival) {
+    return arrival.kind == CueKind::Arrived && told.kind == CueKind::Act && told.manoeuvre &&
+           told.manoeuvre->into == arrival.region && told.routeVersion == arrival.routeVersion;
+}
+
 } // namespace
 
 SpeechQueue::SpeechQueue(SpeechOutput& output, Phrasebook& phrasebook, QObject* parent)
@@ -146,7 +152,8 @@ void SpeechQueue::interruptFor(const Cue& cue) {
         if (cue.priority <= CuePriority::ActNow) m_gap.stop();
         return;
     }
-    const bool contradicts = endsTheWay(cue) && tellsToMove(m_current->cue.kind);
+    const bool contradicts =
+        endsTheWay(cue) && tellsToMove(m_current->cue.kind) && !isLastOrder(m_current->cue, cue);
     if (cue.priority >= m_current->cue.priority && !contradicts) return;
     // A remark such as "the recording has stopped" must not cost the user the turn that was being told.
     std::optional<Utterance> again;

@@ -32,10 +32,12 @@ QString shortened(const std::string& read) {
 QString level(const std::string& fromMap, const QString& levelWord, const QString& minusWord) {
     QString text = name(fromMap);
     static const QRegularExpression word(QStringLiteral("\\p{L}{3}"));
-    if (text.isEmpty() || word.match(text).hasMatch()) return text;
-    static const QRegularExpression negative(QStringLiteral("^[-\u2212](\\d.*)$"));
-    if (const auto match = negative.match(text); match.hasMatch()) text = minusWord.arg(match.captured(1));
-    return levelWord.arg(text);
+    const bool isName = text.isEmpty() || word.match(text).hasMatch();
+    // Voices read the sign in "Level -1" as a dash, or not at all.
+    static const QRegularExpression negative(QStringLiteral("(?<=^|\\s)[-\u2212](\\d\\S*)"));
+    if (const auto match = negative.match(text); match.hasMatch())
+        text.replace(match.capturedStart(), match.capturedLength(), minusWord.arg(match.captured(1)));
+    return isName ? text : levelWord.arg(text);
 }
 
 QString capitalised(QString text) {

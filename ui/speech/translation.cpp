@@ -48,6 +48,15 @@ bool installFarol(const QString& language) {
 
 } // namespace
 
+const QList<Language>& languages() {
+    static const QList<Language> list{{QStringLiteral("en"), QStringLiteral("English")},
+                                      {QStringLiteral("pt"), QStringLiteral("Português")},
+                                      {QStringLiteral("es"), QStringLiteral("Español")},
+                                      {QStringLiteral("fr"), QStringLiteral("Français")},
+                                      {QStringLiteral("de"), QStringLiteral("Deutsch")}};
+    return list;
+}
+
 bool installTranslation(const QString& language) {
     nameTranslations();
     for (const auto& translator : installed()) QCoreApplication::removeTranslator(translator.get());

@@ -1,0 +1,5311 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de" sourcelanguage="en">
+<context>
+    <name>farol::Options</name>
+    <message>
+        <source>%1 needs a number above 0, not “%2”</source>
+        <translation>%1 braucht eine Zahl über 0, nicht „%2“</translation>
+    </message>
+    <message>
+        <source>%1 needs a size such as 1280x800, not “%2”</source>
+        <translation>%1 braucht eine Größe wie 1280x800, nicht „%2“</translation>
+    </message>
+    <message>
+        <source>“%1” is not known; see --help</source>
+        <translation>„%1“ ist nicht bekannt; siehe --help</translation>
+    </message>
+</context>
+<context>
+    <name>farol::espeak</name>
+    <message>
+        <source>The data of the voice are missing: install espeak-ng-data.</source>
+        <translation>Die Daten der Stimme fehlen: Installieren Sie espeak-ng-data.</translation>
+    </message>
+    <message>
+        <source>There is no sound device.</source>
+        <translation>Es gibt kein Audiogerät.</translation>
+    </message>
+    <message>
+        <source>The sound device cannot play speech: choose another one.</source>
+        <translation>Das Audiogerät kann keine Sprache ausgeben: Wählen Sie ein anderes.</translation>
+    </message>
+    <message>
+        <source>The sound device does not start.</source>
+        <translation>Das Audiogerät startet nicht.</translation>
+    </message>
+    <message>
+        <source>The sound device stopped in the middle of a text.</source>
+        <translation>Das Audiogerät hat mitten im Text aufgehört.</translation>
+    </message>
+    <message>
+        <source>The voice cannot be loaded: choose another one.</source>
+        <translation>Die Stimme lässt sich nicht laden: Wählen Sie eine andere.</translation>
+    </message>
+    <message>
+        <source>The text could not be turned into sound.</source>
+        <translation>Der Text konnte nicht in Ton umgewandelt werden.</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::AccessDialog</name>
+    <message>
+        <source>Door or passage %1</source>
+        <translation>Tür oder Durchgang %1</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>What sort of passage it is</source>
+        <translation>Was für ein Durchgang es ist</translation>
+    </message>
+    <message>
+        <source>Type part of a name, room number or level, then choose</source>
+        <translation>Tippen Sie einen Teil eines Namens, einer Raumnummer oder Ebene und wählen Sie</translation>
+    </message>
+    <message>
+        <source>One side</source>
+        <translation>Eine Seite</translation>
+    </message>
+    <message>
+        <source>Other side</source>
+        <translation>Andere Seite</translation>
+    </message>
+    <message>
+        <source>both ways</source>
+        <translation>in beide Richtungen</translation>
+    </message>
+    <message>
+        <source>from the one side to the other only</source>
+        <translation>nur von der einen Seite zur anderen</translation>
+    </message>
+    <message>
+        <source>from the other side to the one only</source>
+        <translation>nur von der anderen Seite zur einen</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>Which way one can pass</source>
+        <translation>In welche Richtung man durchgehen kann</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>How wide the door is</source>
+        <translation>Wie breit die Tür ist</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>nicht bekannt</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Stufen</translation>
+    </message>
+    <message>
+        <source>How many steps the stairs have</source>
+        <translation>Wie viele Stufen die Treppe hat</translation>
+    </message>
+    <message>
+        <source>East</source>
+        <translation>Ost</translation>
+    </message>
+    <message>
+        <source>Place on the map, metres to the east</source>
+        <translation>Ort auf der Karte, Meter nach Osten</translation>
+    </message>
+    <message>
+        <source>North</source>
+        <translation>Nord</translation>
+    </message>
+    <message>
+        <source>Place on the map, metres to the north</source>
+        <translation>Ort auf der Karte, Meter nach Norden</translation>
+    </message>
+    <message>
+        <source>Closed</source>
+        <translation>Gesperrt</translation>
+    </message>
+    <message>
+        <source>Nobody can pass</source>
+        <translation>Niemand kann durchgehen</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::Banner</name>
+    <message>
+        <source>Note</source>
+        <translation>Hinweis</translation>
+    </message>
+    <message>
+        <source>Attention</source>
+        <translation>Achtung</translation>
+    </message>
+    <message>
+        <source>Problem</source>
+        <translation>Störung</translation>
+    </message>
+    <message>
+        <source>Close this message</source>
+        <translation>Diese Meldung schließen</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::DetectionModel</name>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>not accepted</source>
+        <translation>nicht angenommen</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Was</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>Wo</translation>
+    </message>
+    <message>
+        <source>Match</source>
+        <translation>Übereinstimmung</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::FeatureDialog</name>
+    <message>
+        <source>%1:</source>
+        <translation>%1:</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>nicht bekannt</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::FeatureModel</name>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Nummer</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Ebene</translation>
+    </message>
+    <message>
+        <source>Area (m²)</source>
+        <translation>Fläche (m²)</translation>
+    </message>
+    <message>
+        <source>Doors</source>
+        <translation>Türen</translation>
+    </message>
+    <message>
+        <source>Neighbours</source>
+        <translation>Nachbarn</translation>
+    </message>
+    <message>
+        <source>Seen</source>
+        <translation>Landmarken</translation>
+    </message>
+    <message>
+        <source>Restricted</source>
+        <translation>Eingeschränkt</translation>
+    </message>
+    <message>
+        <source>Id</source>
+        <translation>Kennung</translation>
+    </message>
+    <message>
+        <source>One side</source>
+        <translation>Eine Seite</translation>
+    </message>
+    <message>
+        <source>Other side</source>
+        <translation>Andere Seite</translation>
+    </message>
+    <message>
+        <source>Width (m)</source>
+        <translation>Breite (m)</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Stufen</translation>
+    </message>
+    <message>
+        <source>One way</source>
+        <translation>Einbahn</translation>
+    </message>
+    <message>
+        <source>Closed</source>
+        <translation>Gesperrt</translation>
+    </message>
+    <message>
+        <source>Shaft</source>
+        <translation>Schacht</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Text</translation>
+    </message>
+    <message>
+        <source>Region</source>
+        <translation>Region</translation>
+    </message>
+    <message>
+        <source>Faces (°)</source>
+        <translation>Blickrichtung (°)</translation>
+    </message>
+    <message>
+        <source>Height (m)</source>
+        <translation>Höhe (m)</translation>
+    </message>
+    <message>
+        <source>Wide (m)</source>
+        <translation>Eigene Breite (m)</translation>
+    </message>
+    <message>
+        <source>Tall (m)</source>
+        <translation>Eigene Höhe (m)</translation>
+    </message>
+    <message>
+        <source>Trained as</source>
+        <translation>Gelernt als</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::FeaturePanel</name>
+    <message numerus="yes">
+        <source>%n row(s)</source>
+        <translation>
+            <numerusform>eine Zeile</numerusform>
+            <numerusform>%n Zeilen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n row(s)</source>
+        <translation>
+            <numerusform>%1 von einer Zeile</numerusform>
+            <numerusform>%1 von %n Zeilen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Regions</source>
+        <translation>Regionen</translation>
+    </message>
+    <message>
+        <source>Doors and passages</source>
+        <translation>Türen und Durchgänge</translation>
+    </message>
+    <message>
+        <source>Landmarks</source>
+        <translation>Landmarken</translation>
+    </message>
+    <message>
+        <source>What the table lists</source>
+        <translation>Was die Tabelle zeigt</translation>
+    </message>
+    <message>
+        <source>Search the table</source>
+        <translation>Die Tabelle durchsuchen</translation>
+    </message>
+    <message>
+        <source>Rows that hold every word typed (Ctrl+F)</source>
+        <translation>Zeilen mit allen getippten Wörtern (Strg+F)</translation>
+    </message>
+    <message>
+        <source>This level onl&amp;y</source>
+        <translation>Nur diese &amp;Ebene</translation>
+    </message>
+    <message>
+        <source>This level only</source>
+        <translation>Nur diese Ebene</translation>
+    </message>
+    <message>
+        <source>List only what is on the level that the plan shows</source>
+        <translation>Nur zeigen, was auf der Ebene des Plans liegt</translation>
+    </message>
+    <message>
+        <source>Attributes</source>
+        <translation>Attribute</translation>
+    </message>
+    <message>
+        <source>Choose a row to see it on the plan; press Enter to change it</source>
+        <translation>Wählen Sie eine Zeile, um sie auf dem Plan zu sehen; drücken Sie Eingabe, um sie zu ändern</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::FindingModel</name>
+    <message>
+        <source>Error</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>Warnung</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Hinweis</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>und eine weitere</numerusform>
+            <numerusform>und %n weitere</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Rule: %1</source>
+        <translation>Regel: %1</translation>
+    </message>
+    <message>
+        <source>What was found</source>
+        <translation>Was gefunden wurde</translation>
+    </message>
+    <message>
+        <source>Features</source>
+        <translation>Objekte</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::FloorModel</name>
+    <message>
+        <source>you are here</source>
+        <translation>Sie sind hier</translation>
+    </message>
+    <message>
+        <source>destination</source>
+        <translation>Ziel</translation>
+    </message>
+    <message>
+        <source>%1 – %2</source>
+        <translation>%1 – %2</translation>
+    </message>
+    <message>
+        <source>closed</source>
+        <translation>gesperrt</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Was</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>Wo</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::FramePanel</name>
+    <message>
+        <source>What the camera sees</source>
+        <translation>Was die Kamera sieht</translation>
+    </message>
+    <message>
+        <source>Camera picture</source>
+        <translation>Kamerabild</translation>
+    </message>
+    <message>
+        <source>The camera&apos;s picture, with what Farol recognised in it</source>
+        <translation>Das Kamerabild mit dem, was Farol darin erkannt hat</translation>
+    </message>
+    <message>
+        <source>Picture %1 at %2</source>
+        <translation>Bild %1 bei %2</translation>
+    </message>
+    <message>
+        <source>Picture %1 at %2 (%3)</source>
+        <translation>Bild %1 bei %2 (%3)</translation>
+    </message>
+    <message>
+        <source>understood in %1 ms</source>
+        <translation>in %1 ms verstanden</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n left out because late</source>
+        <translation>
+            <numerusform>eines ausgelassen, weil zu spät</numerusform>
+            <numerusform>%n ausgelassen, weil zu spät</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n unreadable</source>
+        <translation>
+            <numerusform>eines unlesbar</numerusform>
+            <numerusform>%n unlesbar</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Time from the picture&apos;s arrival to the answer, and how many pictures had to be left out because Farol was still busy with an earlier one</source>
+        <translation>Zeit von der Ankunft des Bildes bis zur Antwort, und wie viele Bilder ausfielen, weil Farol noch mit einem früheren beschäftigt war</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::FrameView</name>
+    <message>
+        <source>No picture yet</source>
+        <translation>Noch kein Bild</translation>
+    </message>
+    <message>
+        <source>Nothing known is in the picture</source>
+        <translation>Nichts Bekanntes im Bild</translation>
+    </message>
+    <message>
+        <source>In the picture: %1</source>
+        <translation>Im Bild: %1</translation>
+    </message>
+    <message>
+        <source>Spoken: %1</source>
+        <translation>Gesprochen: %1</translation>
+    </message>
+    <message>
+        <source>%1 · %2 %</source>
+        <translation>%1 · %2 %</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>No picture yet.
+Open a camera, a video or a folder of pictures, then press Play.</source>
+        <translation>Noch kein Bild.
+Öffnen Sie eine Kamera, ein Video oder einen Bilderordner, dann drücken Sie Abspielen.</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::HistoryModel</name>
+    <message>
+        <source>What</source>
+        <translation>Was</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>Wo</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::ImportDialog</name>
+    <message>
+        <source>Import a map</source>
+        <translation>Karte importieren</translation>
+    </message>
+    <message>
+        <source>A file, a folder or a zip: IMDF, OpenStreetMap indoor, IndoorGML, per-floor Shapefiles, GeoJSON, GeoPackage, HULOP, WRLD. What is found wrong is told afterwards; nothing is written until you save.</source>
+        <translation>Eine Datei, ein Ordner oder ein Zip: IMDF, OpenStreetMap für innen, IndoorGML, Shapefiles je Stockwerk, GeoJSON, GeoPackage, HULOP, WRLD. Was nicht stimmt, wird danach gesagt; geschrieben wird erst beim Speichern.</translation>
+    </message>
+    <message>
+        <source>&amp;File…</source>
+        <translation>&amp;Datei…</translation>
+    </message>
+    <message>
+        <source>Fol&amp;der…</source>
+        <translation>&amp;Ordner…</translation>
+    </message>
+    <message>
+        <source>Choose a file</source>
+        <translation>Datei wählen</translation>
+    </message>
+    <message>
+        <source>Choose a folder</source>
+        <translation>Ordner wählen</translation>
+    </message>
+    <message>
+        <source>by its content</source>
+        <translation>nach dem Inhalt</translation>
+    </message>
+    <message>
+        <source>as the format has it</source>
+        <translation>wie im Format</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>%1:</source>
+        <translation>%1:</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Karte</translation>
+    </message>
+    <message>
+        <source>Path of the file, folder or zip</source>
+        <translation>Pfad der Datei, des Ordners oder Zips</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Of which kind the map is</source>
+        <translation>Von welcher Art die Karte ist</translation>
+    </message>
+    <message>
+        <source>Language of names</source>
+        <translation>Sprache der Namen</translation>
+    </message>
+    <message>
+        <source>Which of several names is taken, such as en or pt</source>
+        <translation>Welcher von mehreren Namen gilt, zum Beispiel en oder de</translation>
+    </message>
+    <message>
+        <source>Level stands in</source>
+        <translation>Die Ebene steht in</translation>
+    </message>
+    <message>
+        <source>Where the map leaves it open: filename, z, or the name of a column</source>
+        <translation>Wo die Karte es offen lässt: filename, z oder der Name einer Spalte</translation>
+    </message>
+    <message>
+        <source>Profile</source>
+        <translation>Profil</translation>
+    </message>
+    <message>
+        <source>A file with other names of columns and codes</source>
+        <translation>Eine Datei mit anderen Namen von Spalten und Codes</translation>
+    </message>
+    <message>
+        <source>&amp;Import</source>
+        <translation>&amp;Importieren</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::InstructionPanel</name>
+    <message>
+        <source>No destination chosen: places are told, no route.</source>
+        <translation>Kein Ziel gewählt: Orte werden genannt, kein Weg.</translation>
+    </message>
+    <message>
+        <source>The route follows as soon as it is known where you are.</source>
+        <translation>Der Weg folgt, sobald bekannt ist, wo Sie sind.</translation>
+    </message>
+    <message>
+        <source>There is no way to the destination. %1</source>
+        <translation>Es gibt keinen Weg zum Ziel. %1</translation>
+    </message>
+    <message>
+        <source>At the destination.</source>
+        <translation>Am Ziel.</translation>
+    </message>
+    <message>
+        <source>On the way to %1</source>
+        <translation>Unterwegs zu: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more place(s) to pass</source>
+        <translation>
+            <numerusform>noch ein Ort zu durchqueren</numerusform>
+            <numerusform>noch %n Orte zu durchqueren</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>next in %1 m</source>
+        <translation>nächste in %1 m</translation>
+    </message>
+    <message>
+        <source>%1 m to go</source>
+        <translation>noch %1 m</translation>
+    </message>
+    <message>
+        <source>Off the route</source>
+        <translation>Vom Weg abgekommen</translation>
+    </message>
+    <message>
+        <source>Next instruction</source>
+        <translation>Nächste Anweisung</translation>
+    </message>
+    <message>
+        <source>Said at %1</source>
+        <translation>Gesagt bei %1</translation>
+    </message>
+    <message>
+        <source>Open a map to begin.</source>
+        <translation>Öffnen Sie zuerst eine Karte.</translation>
+    </message>
+    <message>
+        <source>Ready. Press Play to start the walk.</source>
+        <translation>Bereit. Drücken Sie Abspielen, um die Begehung zu beginnen.</translation>
+    </message>
+    <message>
+        <source>Looking around…</source>
+        <translation>Sieht sich um…</translation>
+    </message>
+    <message>
+        <source>Next instruction: %1</source>
+        <translation>Nächste Anweisung: %1</translation>
+    </message>
+    <message>
+        <source>No sound: %1</source>
+        <translation>Kein Ton: %1</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::KeysDialog</name>
+    <message>
+        <source>Keys</source>
+        <translation>Tasten</translation>
+    </message>
+    <message>
+        <source>Arrows</source>
+        <translation>Pfeile</translation>
+    </message>
+    <message>
+        <source>In the map: move it</source>
+        <translation>In der Karte: verschieben</translation>
+    </message>
+    <message>
+        <source>In the map: larger, smaller, whole floor</source>
+        <translation>In der Karte: größer, kleiner, ganzes Stockwerk</translation>
+    </message>
+    <message>
+        <source>Page Up, Page Down</source>
+        <translation>Bild auf, Bild ab</translation>
+    </message>
+    <message>
+        <source>In the map: the floor above, the floor below</source>
+        <translation>In der Karte: das Stockwerk darüber, darunter</translation>
+    </message>
+    <message>
+        <source>Alt + Arrows</source>
+        <translation>Alt + Pfeile</translation>
+    </message>
+    <message>
+        <source>In the plan: move what is chosen by 10 cm, with Shift by 1 m</source>
+        <translation>Im Plan: das Gewählte um 10 cm bewegen, mit Umschalt um 1 m</translation>
+    </message>
+    <message>
+        <source>Tab</source>
+        <translation>Tabulator</translation>
+    </message>
+    <message>
+        <source>The next button or list</source>
+        <translation>Der nächste Knopf oder die nächste Liste</translation>
+    </message>
+    <message>
+        <source>Key</source>
+        <translation>Taste</translation>
+    </message>
+    <message>
+        <source>What it does</source>
+        <translation>Was sie tut</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::Kiosk</name>
+    <message>
+        <source>No map was given (farol --kiosk --map FILE).</source>
+        <translation>Es wurde keine Karte angegeben (farol --kiosk --map DATEI).</translation>
+    </message>
+    <message>
+        <source>The landmarks cannot be loaded: I will hardly know where you are. Ask for help.</source>
+        <translation>Die Landmarken lassen sich nicht laden: Ich werde kaum wissen, wo Sie sind. Bitten Sie um Hilfe.</translation>
+    </message>
+    <message>
+        <source>The destination cannot be kept for a restart: the folder cannot be written.</source>
+        <translation>Das Ziel kann nicht für einen Neustart aufgehoben werden: In den Ordner kann nicht geschrieben werden.</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::KioskMachine</name>
+    <message>
+        <source>One moment.</source>
+        <translation>Einen Moment.</translation>
+    </message>
+    <message>
+        <source>Farol. I am opening the map.</source>
+        <translation>Farol. Ich öffne die Karte.</translation>
+    </message>
+    <message>
+        <source>The new map cannot be opened. I keep the old one.</source>
+        <translation>Die neue Karte lässt sich nicht öffnen. Ich behalte die alte.</translation>
+    </message>
+    <message>
+        <source>Farol was interrupted and has started again.</source>
+        <translation>Farol wurde unterbrochen und hat neu begonnen.</translation>
+    </message>
+    <message>
+        <source>You were last here: %1.</source>
+        <translation>Zuletzt waren Sie hier: %1.</translation>
+    </message>
+    <message>
+        <source>The camera works again.</source>
+        <translation>Die Kamera geht wieder.</translation>
+    </message>
+    <message>
+        <source>Stop, and turn slowly to the right, so that I can look around.</source>
+        <translation>Bleiben Sie stehen und drehen Sie sich langsam nach rechts, damit ich mich umsehen kann.</translation>
+    </message>
+    <message>
+        <source>No destination is chosen yet. Choose one first.</source>
+        <translation>Es ist noch kein Ziel gewählt. Wählen Sie zuerst eines.</translation>
+    </message>
+    <message>
+        <source>This is the first place.</source>
+        <translation>Das ist der erste Ort.</translation>
+    </message>
+    <message>
+        <source>This is the last place.</source>
+        <translation>Das ist der letzte Ort.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n place(s). %2.</source>
+        <extracomment>%1 &quot;Rooms&quot;, %2 the first of them</extracomment>
+        <translation>
+            <numerusform>%1: ein Ort. %2.</numerusform>
+            <numerusform>%1: %n Orte. %2.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Type part of a name or a number, then press Enter.</source>
+        <translation>Tippen Sie einen Teil eines Namens oder einer Nummer, dann drücken Sie Eingabe.</translation>
+    </message>
+    <message>
+        <source>space</source>
+        <translation>Leerzeichen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n place(s).</source>
+        <comment>while typing</comment>
+        <extracomment>%1 the letter just typed</extracomment>
+        <translation>
+            <numerusform>%1: ein Ort.</numerusform>
+            <numerusform>%1: %n Orte.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Nothing is typed.</source>
+        <translation>Es ist nichts getippt.</translation>
+    </message>
+    <message>
+        <source>Deleted: %1. %2</source>
+        <translation>Gelöscht: %1. %2</translation>
+    </message>
+    <message>
+        <source>%1 %2. Enter: go there. Arrow down: next.</source>
+        <translation>%1 %2. Eingabe: dorthin gehen. Pfeil runter: nächster.</translation>
+    </message>
+    <message>
+        <source>Nothing is chosen yet. Press arrow down to hear the places.</source>
+        <translation>Es ist noch nichts gewählt. Drücken Sie Pfeil runter, um die Orte zu hören.</translation>
+    </message>
+    <message>
+        <source>I try the camera again.</source>
+        <translation>Ich versuche es noch einmal mit der Kamera.</translation>
+    </message>
+    <message>
+        <source>Going on. %1</source>
+        <translation>Es geht weiter. %1</translation>
+    </message>
+    <message>
+        <source>This key does nothing. Escape: back.</source>
+        <translation>Diese Taste tut nichts. Escape: zurück.</translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <extracomment>%1 a key, %2 what it does</extracomment>
+        <translation>%1: %2.</translation>
+    </message>
+    <message>
+        <source>Back to the kinds of places.</source>
+        <translation>Zurück zu den Arten von Orten.</translation>
+    </message>
+    <message>
+        <source>Leave Farol.</source>
+        <translation>Farol verlassen.</translation>
+    </message>
+    <message>
+        <source>Start.</source>
+        <translation>Beginnen.</translation>
+    </message>
+    <message>
+        <source>Hear the whole way.</source>
+        <translation>Den ganzen Weg hören.</translation>
+    </message>
+    <message>
+        <source>Another place.</source>
+        <translation>Ein anderer Ort.</translation>
+    </message>
+    <message>
+        <source>Try the camera again.</source>
+        <translation>Die Kamera noch einmal versuchen.</translation>
+    </message>
+    <message>
+        <source>Stop the guidance.</source>
+        <translation>Die Führung beenden.</translation>
+    </message>
+    <message>
+        <source>Choose another place.</source>
+        <translation>Einen anderen Ort wählen.</translation>
+    </message>
+    <message>
+        <source>Yes, stop.</source>
+        <translation>Ja, beenden.</translation>
+    </message>
+    <message>
+        <source>No, go on.</source>
+        <translation>Nein, weiter.</translation>
+    </message>
+    <message>
+        <source>Yes, leave.</source>
+        <translation>Ja, verlassen.</translation>
+    </message>
+    <message>
+        <source>No, stay.</source>
+        <translation>Nein, bleiben.</translation>
+    </message>
+    <message>
+        <source>Press space to hear what there is, then Enter.</source>
+        <translation>Drücken Sie die Leertaste, um zu hören, was es gibt, dann Eingabe.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n place(s). Space: first place.</source>
+        <translation>
+            <numerusform>%1: ein Ort. Leertaste: erster Ort.</numerusform>
+            <numerusform>%1: %n Orte. Leertaste: erster Ort.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1. %2 of %3.</source>
+        <extracomment>%1 a place, then which of how many</extracomment>
+        <translation>%1. %2 von %3.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Choose a destination: %n place(s).</source>
+        <translation>
+            <numerusform>Wählen Sie ein Ziel: ein Ort.</numerusform>
+            <numerusform>Wählen Sie ein Ziel: %n Orte.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Space: next. Enter: take it.</source>
+        <translation>Leertaste: weiter. Eingabe: wählen.</translation>
+    </message>
+    <message>
+        <source>Arrow down: first place. F: type a name. F1: all keys.</source>
+        <translation>Pfeil runter: erster Ort. F: einen Namen tippen. F1: alle Tasten.</translation>
+    </message>
+    <message>
+        <source>To: %1.</source>
+        <translation>Ziel: %1.</translation>
+    </message>
+    <message>
+        <source>I do not know yet where you are, and look for it on the way.</source>
+        <translation>Ich weiß noch nicht, wo Sie sind, und suche es unterwegs.</translation>
+    </message>
+    <message>
+        <source>Space: choices.</source>
+        <translation>Leertaste: Auswahl.</translation>
+    </message>
+    <message>
+        <source>Enter: start. L: the whole way. Escape: another place.</source>
+        <translation>Eingabe: beginnen. L: der ganze Weg. Escape: ein anderer Ort.</translation>
+    </message>
+    <message>
+        <source>Stop the guidance?</source>
+        <translation>Die Führung beenden?</translation>
+    </message>
+    <message>
+        <source>Leave Farol?</source>
+        <translation>Farol verlassen?</translation>
+    </message>
+    <message>
+        <source>Enter or Escape: yes. Any other key: no.</source>
+        <translation>Eingabe oder Escape: ja. Jede andere Taste: nein.</translation>
+    </message>
+    <message>
+        <source>No camera is set up, and I cannot guide you. Ask for help.</source>
+        <translation>Es ist keine Kamera eingerichtet, ich kann Sie nicht führen. Bitten Sie um Hilfe.</translation>
+    </message>
+    <message>
+        <source>The camera is starting.</source>
+        <translation>Die Kamera startet.</translation>
+    </message>
+    <message>
+        <source>Stop. The camera gives no pictures, and I cannot guide you. Enter: try again.</source>
+        <translation>Halt. Die Kamera gibt keine Bilder, ich kann Sie nicht führen. Eingabe: noch einmal versuchen.</translation>
+    </message>
+    <message>
+        <source>The camera gives no pictures. I try it again when you start.</source>
+        <translation>Die Kamera gibt keine Bilder. Ich versuche es wieder, wenn Sie beginnen.</translation>
+    </message>
+    <message>
+        <source>No place fits: %1. Delete letters, or press Escape.</source>
+        <translation>Kein Ort passt: %1. Löschen Sie Buchstaben oder drücken Sie Escape.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n place(s) fit: %1.</source>
+        <translation>
+            <numerusform>Ein Ort passt: %1.</numerusform>
+            <numerusform>%n Orte passen: %1.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>This map has no places to go to. Ask for help.</source>
+        <translation>Diese Karte hat keine Orte, zu denen man gehen kann. Bitten Sie um Hilfe.</translation>
+    </message>
+    <message>
+        <source>The map cannot be opened. Ask for help.</source>
+        <translation>Die Karte lässt sich nicht öffnen. Bitten Sie um Hilfe.</translation>
+    </message>
+    <message>
+        <source>The map is being opened. Please wait.</source>
+        <translation>Die Karte wird geöffnet. Bitte warten Sie.</translation>
+    </message>
+    <message>
+        <source>On the way to: %1.</source>
+        <translation>Unterwegs nach: %1.</translation>
+    </message>
+    <message>
+        <source>You have arrived: %1. Enter: another destination.</source>
+        <translation>Sie sind angekommen: %1. Eingabe: ein anderes Ziel.</translation>
+    </message>
+    <message>
+        <source>Goodbye.</source>
+        <translation>Auf Wiederhören.</translation>
+    </message>
+    <message>
+        <source>Quiet: I tell only warnings and what you ask. M: speak again.</source>
+        <translation>Stumm: Ich sage nur Warnungen und was Sie fragen. M: wieder sprechen.</translation>
+    </message>
+    <message>
+        <source>I tell everything again.</source>
+        <translation>Ich sage wieder alles.</translation>
+    </message>
+    <message>
+        <source>Speed %1 of %2.</source>
+        <translation>Tempo %1 von %2.</translation>
+    </message>
+    <message>
+        <source>I speak English now.</source>
+        <translation>Ich spreche jetzt Deutsch.</translation>
+    </message>
+    <message>
+        <source>Two keys: space goes through the choices, Enter takes one. F4: all keys again.</source>
+        <translation>Zwei Tasten: Die Leertaste geht durch die Auswahl, Eingabe nimmt etwas. F4: wieder alle Tasten.</translation>
+    </message>
+    <message>
+        <source>All keys are in use again.</source>
+        <translation>Alle Tasten gelten wieder.</translation>
+    </message>
+    <message>
+        <source>Farol</source>
+        <translation>Farol</translation>
+    </message>
+    <message>
+        <source>Where to? %1</source>
+        <translation>Wohin? %1</translation>
+    </message>
+    <message>
+        <source>Search: %1</source>
+        <translation>Suche: %1</translation>
+    </message>
+    <message>
+        <source>The way to %1</source>
+        <translation>Der Weg: %1</translation>
+    </message>
+    <message>
+        <source>Walking to %1</source>
+        <translation>Unterwegs: %1</translation>
+    </message>
+    <message>
+        <source>Arrived</source>
+        <translation>Angekommen</translation>
+    </message>
+    <message>
+        <source>Stop?</source>
+        <translation>Beenden?</translation>
+    </message>
+    <message>
+        <source>Leave?</source>
+        <translation>Verlassen?</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Tasten</translation>
+    </message>
+    <message>
+        <source>Goodbye</source>
+        <translation>Auf Wiederhören</translation>
+    </message>
+    <message>
+        <source>Space: next   Enter: take   F4: all keys</source>
+        <translation>Leertaste: weiter   Eingabe: wählen   F4: Tasten</translation>
+    </message>
+    <message>
+        <source>Arrows: places   Enter: go   F: search   F1: keys</source>
+        <translation>Pfeile: Orte   Eingabe: gehen   F: suchen   F1: Tasten</translation>
+    </message>
+    <message>
+        <source>Enter: done   Esc: back</source>
+        <translation>Eingabe: fertig   Esc: zurück</translation>
+    </message>
+    <message>
+        <source>Enter: start   L: whole way   Esc: back</source>
+        <translation>Eingabe: beginnen   L: ganzer Weg   Esc: zurück</translation>
+    </message>
+    <message>
+        <source>Space: again   W: where am I   Esc: stop</source>
+        <translation>Leertaste: nochmal   W: wo bin ich   Esc: beenden</translation>
+    </message>
+    <message>
+        <source>Enter: another destination</source>
+        <translation>Eingabe: ein anderes Ziel</translation>
+    </message>
+    <message>
+        <source>Enter: yes   any other key: no</source>
+        <translation>Eingabe: ja   andere Taste: nein</translation>
+    </message>
+    <message>
+        <source>Esc: back   F1: number pad</source>
+        <translation>Esc: zurück   F1: Ziffernblock</translation>
+    </message>
+    <message>
+        <source>Esc: leave   F1: keys</source>
+        <translation>Esc: verlassen   F1: Tasten</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::KioskPage</name>
+    <message>
+        <source>Farol</source>
+        <translation>Farol</translation>
+    </message>
+    <message>
+        <source>Farol, guidance</source>
+        <translation>Farol, Führung</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::KioskPlaces</name>
+    <message>
+        <source>All places</source>
+        <translation>Alle Orte</translation>
+    </message>
+    <message>
+        <source>Rooms</source>
+        <translation>Räume</translation>
+    </message>
+    <message>
+        <source>Toilets</source>
+        <translation>Toiletten</translation>
+    </message>
+    <message>
+        <source>Halls</source>
+        <translation>Hallen</translation>
+    </message>
+    <message>
+        <source>Corridors</source>
+        <translation>Flure</translation>
+    </message>
+    <message>
+        <source>Lifts</source>
+        <translation>Aufzüge</translation>
+    </message>
+    <message>
+        <source>Stairs</source>
+        <translation>Treppen</translation>
+    </message>
+    <message>
+        <source>Ways out</source>
+        <translation>Ausgänge</translation>
+    </message>
+    <message>
+        <source>Other places</source>
+        <translation>Andere Orte</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::KioskWords</name>
+    <message>
+        <source>Arrow up</source>
+        <translation>Pfeil rauf</translation>
+    </message>
+    <message>
+        <source>Arrow down</source>
+        <translation>Pfeil runter</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Pos 1</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Ende</translation>
+    </message>
+    <message>
+        <source>Arrow left</source>
+        <translation>Pfeil links</translation>
+    </message>
+    <message>
+        <source>Arrow right</source>
+        <translation>Pfeil rechts</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Eingabe</translation>
+    </message>
+    <message>
+        <source>Escape</source>
+        <translation>Escape-Taste</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Leertaste</translation>
+    </message>
+    <message>
+        <source>Plus</source>
+        <translation>Plus-Taste</translation>
+    </message>
+    <message>
+        <source>Minus</source>
+        <translation>Minus-Taste</translation>
+    </message>
+    <message>
+        <source>the place before</source>
+        <translation>der vorige Ort</translation>
+    </message>
+    <message>
+        <source>the next place</source>
+        <translation>der nächste Ort</translation>
+    </message>
+    <message>
+        <source>the first place</source>
+        <translation>der erste Ort</translation>
+    </message>
+    <message>
+        <source>the last place</source>
+        <translation>der letzte Ort</translation>
+    </message>
+    <message>
+        <source>another kind of places, back</source>
+        <translation>eine andere Art von Orten, zurück</translation>
+    </message>
+    <message>
+        <source>another kind of places, on</source>
+        <translation>eine andere Art von Orten, weiter</translation>
+    </message>
+    <message>
+        <source>choose, start</source>
+        <translation>wählen, beginnen</translation>
+    </message>
+    <message>
+        <source>back; hold it down to leave</source>
+        <translation>zurück; gedrückt halten, um Farol zu verlassen</translation>
+    </message>
+    <message>
+        <source>say again</source>
+        <translation>noch einmal sagen</translation>
+    </message>
+    <message>
+        <source>where am I</source>
+        <translation>wo bin ich</translation>
+    </message>
+    <message>
+        <source>what is around me</source>
+        <translation>was ist um mich herum</translation>
+    </message>
+    <message>
+        <source>what comes next</source>
+        <translation>was kommt als Nächstes</translation>
+    </message>
+    <message>
+        <source>the whole way</source>
+        <translation>der ganze Weg</translation>
+    </message>
+    <message>
+        <source>look around</source>
+        <translation>sich umsehen</translation>
+    </message>
+    <message>
+        <source>quiet, or speak again</source>
+        <translation>stumm, oder wieder sprechen</translation>
+    </message>
+    <message>
+        <source>speak faster</source>
+        <translation>schneller sprechen</translation>
+    </message>
+    <message>
+        <source>speak slower</source>
+        <translation>langsamer sprechen</translation>
+    </message>
+    <message>
+        <source>how much I tell</source>
+        <translation>wie viel ich sage</translation>
+    </message>
+    <message>
+        <source>how I tell directions</source>
+        <translation>wie ich Richtungen sage</translation>
+    </message>
+    <message>
+        <source>metres, feet or steps</source>
+        <translation>Meter, Fuß oder Schritte</translation>
+    </message>
+    <message>
+        <source>search a place by typing</source>
+        <translation>einen Ort durch Tippen suchen</translation>
+    </message>
+    <message>
+        <source>the keys</source>
+        <translation>die Tasten</translation>
+    </message>
+    <message>
+        <source>everything with two keys</source>
+        <translation>alles mit zwei Tasten</translation>
+    </message>
+    <message>
+        <source>Keys. Press one to hear what it does; F1: number pad; Escape: back.</source>
+        <translation>Tasten. Drücken Sie eine, um zu hören, was sie tut; F1: Ziffernblock; Escape: zurück.</translation>
+    </message>
+    <message>
+        <source>Number pad. 8 and 2: up and down. 4 and 6: left and right. 5 or Enter: choose. 0: say again. 1: where am I. 3: around me. 7: what comes next. 9: the whole way. Plus and minus: speed. Star: keys. Slash: quiet. Point: back.</source>
+        <translation>Ziffernblock. 8 und 2: rauf und runter. 4 und 6: links und rechts. 5 oder Eingabe: wählen. 0: noch einmal. 1: wo bin ich. 3: um mich herum. 7: was kommt als Nächstes. 9: der ganze Weg. Plus und minus: Tempo. Stern: Tasten. Schrägstrich: stumm. Komma: zurück.</translation>
+    </message>
+    <message>
+        <source>This key does nothing here. F1: all keys.</source>
+        <translation>Diese Taste tut hier nichts. F1: alle Tasten.</translation>
+    </message>
+    <message>
+        <source>I tell directions only.</source>
+        <translation>Ich sage nur Richtungen.</translation>
+    </message>
+    <message>
+        <source>I tell directions and objects.</source>
+        <translation>Ich sage Richtungen und Gegenstände.</translation>
+    </message>
+    <message>
+        <source>I tell directions, objects and texts.</source>
+        <translation>Ich sage Richtungen, Gegenstände und Texte.</translation>
+    </message>
+    <message>
+        <source>Directions as left and right.</source>
+        <translation>Richtungen als links und rechts.</translation>
+    </message>
+    <message>
+        <source>Directions as on a clock.</source>
+        <translation>Richtungen wie auf einer Uhr.</translation>
+    </message>
+    <message>
+        <source>Directions in degrees.</source>
+        <translation>Richtungen in Grad.</translation>
+    </message>
+    <message>
+        <source>Distances in metres.</source>
+        <translation>Entfernungen in Metern.</translation>
+    </message>
+    <message>
+        <source>Distances in feet.</source>
+        <translation>Entfernungen in Fuß.</translation>
+    </message>
+    <message>
+        <source>Distances in steps.</source>
+        <translation>Entfernungen in Schritten.</translation>
+    </message>
+    <message>
+        <source>another language</source>
+        <translation>eine andere Sprache</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::LandmarkDialog</name>
+    <message>
+        <source>Landmark %1</source>
+        <translation>Landmarke %1</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>What it is</source>
+        <translation>Was es ist</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Text</translation>
+    </message>
+    <message>
+        <source>What can be read on it</source>
+        <translation>Was darauf zu lesen ist</translation>
+    </message>
+    <message>
+        <source>Trained as</source>
+        <translation>Gelernt als</translation>
+    </message>
+    <message>
+        <source>The name under which its appearance was trained</source>
+        <translation>Der Name, unter dem das Aussehen gelernt wurde</translation>
+    </message>
+    <message>
+        <source>any</source>
+        <translation>beliebig</translation>
+    </message>
+    <message>
+        <source>Faces</source>
+        <translation>Blickrichtung</translation>
+    </message>
+    <message>
+        <source>The way it faces: 0 is east, 90 north, 180 west, 270 south</source>
+        <translation>Wohin es zeigt: 0 ist Osten, 90 Norden, 180 Westen, 270 Süden</translation>
+    </message>
+    <message>
+        <source>Height above the floor</source>
+        <translation>Höhe über dem Boden</translation>
+    </message>
+    <message>
+        <source>Of its middle</source>
+        <translation>Der Mitte</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>How wide it is: its distance is told from that</source>
+        <translation>Wie breit es ist: Daraus ergibt sich die Entfernung</translation>
+    </message>
+    <message>
+        <source>Its own height</source>
+        <translation>Eigene Höhe</translation>
+    </message>
+    <message>
+        <source>How tall it is</source>
+        <translation>Wie hoch es ist</translation>
+    </message>
+    <message>
+        <source>East</source>
+        <translation>Ost</translation>
+    </message>
+    <message>
+        <source>Place on the map, metres to the east</source>
+        <translation>Ort auf der Karte, Meter nach Osten</translation>
+    </message>
+    <message>
+        <source>North</source>
+        <translation>Nord</translation>
+    </message>
+    <message>
+        <source>Place on the map, metres to the north</source>
+        <translation>Ort auf der Karte, Meter nach Norden</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::LivePage</name>
+    <message>
+        <source>What was said</source>
+        <translation>Was gesagt wurde</translation>
+    </message>
+    <message>
+        <source>Where it could be</source>
+        <translation>Wo es sein könnte</translation>
+    </message>
+    <message>
+        <source>Every sentence, when it was due, and what became of it</source>
+        <translation>Jeder Satz, wann er fällig war und was aus ihm wurde</translation>
+    </message>
+    <message>
+        <source>The places that fit what was seen, best first</source>
+        <translation>Die Orte, die zum Gesehenen passen, die besten zuerst</translation>
+    </message>
+    <message>
+        <source>Last seen</source>
+        <translation>Zuletzt gesehen</translation>
+    </message>
+    <message>
+        <source>The last objects that the place is worked out from</source>
+        <translation>Die letzten Gegenstände, aus denen der Ort folgt</translation>
+    </message>
+    <message>
+        <source>In the picture</source>
+        <translation>Im Bild</translation>
+    </message>
+    <message>
+        <source>Everything recognised in the picture shown</source>
+        <translation>Alles, was im gezeigten Bild erkannt wurde</translation>
+    </message>
+    <message>
+        <source>On this floor</source>
+        <translation>Auf diesem Stockwerk</translation>
+    </message>
+    <message>
+        <source>The map as a list; press Enter on a place to go there</source>
+        <translation>Die Karte als Liste; Eingabe auf einem Ort führt dorthin</translation>
+    </message>
+    <message>
+        <source>Lists</source>
+        <translation>Listen</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::MainWindow</name>
+    <message>
+        <source>About Farol</source>
+        <translation>Über Farol</translation>
+    </message>
+    <message>
+        <source>Farol %1
+
+Guides a blind person through a building with one ordinary camera: it recognises what it was taught, works out the place, and speaks the way.</source>
+        <translation>Farol %1
+
+Führt einen blinden Menschen mit einer gewöhnlichen Kamera durch ein Gebäude: Es erkennt, was ihm gezeigt wurde, findet den Ort und sagt den Weg an.</translation>
+    </message>
+    <message>
+        <source>Ready</source>
+        <translation>Bereit</translation>
+    </message>
+    <message>
+        <source>Walking</source>
+        <translation>Begehung läuft</translation>
+    </message>
+    <message>
+        <source>Held</source>
+        <translation>Angehalten</translation>
+    </message>
+    <message>
+        <source>The walk has ended</source>
+        <translation>Die Begehung ist zu Ende</translation>
+    </message>
+    <message>
+        <source>The walk could not go on</source>
+        <translation>Die Begehung konnte nicht weitergehen</translation>
+    </message>
+    <message>
+        <source>Loading…</source>
+        <translation>Lädt…</translation>
+    </message>
+    <message>
+        <source>recorded in %1</source>
+        <translation>aufgenommen in %1</translation>
+    </message>
+    <message>
+        <source>The walk has ended: there are no more pictures.</source>
+        <translation>Die Begehung ist zu Ende: Es gibt keine Bilder mehr.</translation>
+    </message>
+    <message>
+        <source>Play &amp;again</source>
+        <translation>&amp;Noch einmal abspielen</translation>
+    </message>
+    <message>
+        <source>Open another &amp;map…</source>
+        <translation>Andere &amp;Karte öffnen…</translation>
+    </message>
+    <message>
+        <source>Open another &amp;library…</source>
+        <translation>Andere &amp;Bibliothek öffnen…</translation>
+    </message>
+    <message>
+        <source>Open other &amp;pictures…</source>
+        <translation>Andere B&amp;ilder öffnen…</translation>
+    </message>
+    <message>
+        <source>The walk will be recorded from its next start.</source>
+        <translation>Die Begehung wird ab ihrem nächsten Start aufgenommen.</translation>
+    </message>
+    <message>
+        <source>This walk is recorded to its end; the next one is not.</source>
+        <translation>Diese Begehung wird bis zum Ende aufgenommen, die nächste nicht.</translation>
+    </message>
+    <message>
+        <source>Start &amp;again now</source>
+        <translation>Jetzt &amp;neu beginnen</translation>
+    </message>
+    <message>
+        <source>Open a map</source>
+        <translation>Karte öffnen</translation>
+    </message>
+    <message>
+        <source>Maps (%1);;All files (%2)</source>
+        <translation>Karten (%1);;Alle Dateien (%2)</translation>
+    </message>
+    <message>
+        <source>Open a landmark library</source>
+        <translation>Landmarkenbibliothek öffnen</translation>
+    </message>
+    <message>
+        <source>Landmark libraries (%1);;All files (%2)</source>
+        <translation>Landmarkenbibliotheken (%1);;Alle Dateien (%2)</translation>
+    </message>
+    <message>
+        <source>Farol</source>
+        <translation>Farol</translation>
+    </message>
+    <message>
+        <source>%1 – Farol</source>
+        <translation>%1 – Farol</translation>
+    </message>
+    <message>
+        <source>Walk</source>
+        <translation>Begehung</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Karte</translation>
+    </message>
+    <message>
+        <source>Pages</source>
+        <translation>Seiten</translation>
+    </message>
+    <message>
+        <source>Watch a walk, or work on a map (Ctrl+1, Ctrl+2)</source>
+        <translation>Eine Begehung verfolgen oder an einer Karte arbeiten (Strg+1, Strg+2)</translation>
+    </message>
+    <message>
+        <source>State of the walk</source>
+        <translation>Stand der Begehung</translation>
+    </message>
+    <message>
+        <source>Something is being loaded</source>
+        <translation>Etwas wird geladen</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::MapActions</name>
+    <message>
+        <source>&amp;Map</source>
+        <translation>&amp;Karte</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Karte</translation>
+    </message>
+    <message>
+        <source>&amp;Open map…</source>
+        <translation>Karte ö&amp;ffnen…</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Open the map of a building to look at it and change it</source>
+        <translation>Die Karte eines Gebäudes öffnen, um sie anzusehen und zu ändern</translation>
+    </message>
+    <message>
+        <source>&amp;Import…</source>
+        <translation>&amp;Importieren…</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importieren</translation>
+    </message>
+    <message>
+        <source>Bring in a map of another kind</source>
+        <translation>Eine Karte anderer Art übernehmen</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Speichern</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>Write the changes into the map&apos;s file</source>
+        <translation>Die Änderungen in die Datei der Karte schreiben</translation>
+    </message>
+    <message>
+        <source>S&amp;ave as…</source>
+        <translation>Speichern &amp;unter…</translation>
+    </message>
+    <message>
+        <source>Save as</source>
+        <translation>Speichern unter</translation>
+    </message>
+    <message>
+        <source>Write the map into another file</source>
+        <translation>Die Karte in eine andere Datei schreiben</translation>
+    </message>
+    <message>
+        <source>&amp;Print as PDF…</source>
+        <translation>Als PDF &amp;drucken…</translation>
+    </message>
+    <message>
+        <source>PDF</source>
+        <translation>PDF</translation>
+    </message>
+    <message>
+        <source>Write the plan of each level as a page of a PDF</source>
+        <translation>Den Plan jeder Ebene als Seite eines PDF schreiben</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Take back the last change</source>
+        <translation>Die letzte Änderung zurücknehmen</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Make the change again that was taken back</source>
+        <translation>Die zurückgenommene Änderung wieder vornehmen</translation>
+    </message>
+    <message>
+        <source>Add &amp;landmark</source>
+        <translation>&amp;Landmarke hinzufügen</translation>
+    </message>
+    <message>
+        <source>Landmark</source>
+        <translation>Landmarke</translation>
+    </message>
+    <message>
+        <source>Put a new landmark on the plan</source>
+        <translation>Eine neue Landmarke in den Plan setzen</translation>
+    </message>
+    <message>
+        <source>Add &amp;door or passage</source>
+        <translation>&amp;Tür oder Durchgang hinzufügen</translation>
+    </message>
+    <message>
+        <source>Door</source>
+        <translation>Tür</translation>
+    </message>
+    <message>
+        <source>Put a new door or passage on the plan</source>
+        <translation>Eine neue Tür oder einen Durchgang in den Plan setzen</translation>
+    </message>
+    <message>
+        <source>&amp;Change…</source>
+        <translation>Ä&amp;ndern…</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Ändern</translation>
+    </message>
+    <message>
+        <source>Change name, kind and the like of what is chosen</source>
+        <translation>Name, Art und anderes des Gewählten ändern</translation>
+    </message>
+    <message>
+        <source>D&amp;elete</source>
+        <translation>L&amp;öschen</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Take the chosen landmark, door or passage off the map</source>
+        <translation>Die gewählte Landmarke, Tür oder den Durchgang aus der Karte nehmen</translation>
+    </message>
+    <message>
+        <source>Route &amp;from here</source>
+        <translation>Weg &amp;von hier</translation>
+    </message>
+    <message>
+        <source>From here</source>
+        <translation>Von hier</translation>
+    </message>
+    <message>
+        <source>Let the route begin in the chosen place</source>
+        <translation>Den Weg am gewählten Ort beginnen lassen</translation>
+    </message>
+    <message>
+        <source>Route &amp;to here</source>
+        <translation>Weg &amp;hierher</translation>
+    </message>
+    <message>
+        <source>To here</source>
+        <translation>Hierher</translation>
+    </message>
+    <message>
+        <source>Let the route end in the chosen place</source>
+        <translation>Den Weg am gewählten Ort enden lassen</translation>
+    </message>
+    <message>
+        <source>Sea&amp;rch the table</source>
+        <translation>Tabelle dur&amp;chsuchen</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Suchen</translation>
+    </message>
+    <message>
+        <source>Search the table of attributes</source>
+        <translation>In der Attributtabelle suchen</translation>
+    </message>
+    <message>
+        <source>C&amp;heck the map</source>
+        <translation>Karte &amp;prüfen</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>Prüfen</translation>
+    </message>
+    <message>
+        <source>Look for what is wrong with the map as it is now</source>
+        <translation>Suchen, was an der Karte jetzt nicht stimmt</translation>
+    </message>
+    <message>
+        <source>&amp;Next feature</source>
+        <translation>Nächstes &amp;Objekt</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Nächstes</translation>
+    </message>
+    <message>
+        <source>Show the next feature of the chosen finding</source>
+        <translation>Das nächste Objekt des gewählten Befunds zeigen</translation>
+    </message>
+    <message>
+        <source>Places that look ali&amp;ke</source>
+        <translation>Orte, die &amp;gleich aussehen</translation>
+    </message>
+    <message>
+        <source>Alike</source>
+        <translation>Gleiche</translation>
+    </message>
+    <message>
+        <source>Mark the places that the landmarks cannot tell apart, and those without any</source>
+        <translation>Orte markieren, die die Landmarken nicht unterscheiden, und solche ohne Landmarken</translation>
+    </message>
+    <message>
+        <source>&amp;Walk with this map</source>
+        <translation>Mit dieser Karte &amp;begehen</translation>
+    </message>
+    <message>
+        <source>Walk</source>
+        <translation>Begehung</translation>
+    </message>
+    <message>
+        <source>Use the saved map on the Walk page</source>
+        <translation>Die gespeicherte Karte auf der Seite Begehung verwenden</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::MapPage</name>
+    <message>
+        <source>Saved in %1</source>
+        <translation>Gespeichert in %1</translation>
+    </message>
+    <message>
+        <source>Open a map</source>
+        <translation>Karte öffnen</translation>
+    </message>
+    <message>
+        <source>Maps (%1);;All files (%2)</source>
+        <translation>Karten (%1);;Alle Dateien (%2)</translation>
+    </message>
+    <message>
+        <source>Save the map</source>
+        <translation>Karte speichern</translation>
+    </message>
+    <message>
+        <source>Maps (%1)</source>
+        <translation>Karten (%1)</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Ungespeicherte Änderungen</translation>
+    </message>
+    <message>
+        <source>The map has changes that are not saved.</source>
+        <translation>Die Karte hat Änderungen, die nicht gespeichert sind.</translation>
+    </message>
+    <message>
+        <source>Save them first?</source>
+        <translation>Zuerst speichern?</translation>
+    </message>
+    <message>
+        <source>Imported from %1. Look at what was found, then save it as a map of Farol.</source>
+        <translation>Importiert aus %1. Sehen Sie sich die Befunde an, dann speichern Sie sie als Karte von Farol.</translation>
+    </message>
+    <message>
+        <source>Sa&amp;ve…</source>
+        <translation>&amp;Speichern…</translation>
+    </message>
+    <message>
+        <source>The map is being opened…</source>
+        <translation>Die Karte wird geöffnet…</translation>
+    </message>
+    <message>
+        <source>The map is being imported and checked…</source>
+        <translation>Die Karte wird importiert und geprüft…</translation>
+    </message>
+    <message>
+        <source>The map is being saved…</source>
+        <translation>Die Karte wird gespeichert…</translation>
+    </message>
+    <message>
+        <source>The map is being checked…</source>
+        <translation>Die Karte wird geprüft…</translation>
+    </message>
+    <message>
+        <source>Table</source>
+        <translation>Tabelle</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>Prüfung</translation>
+    </message>
+    <message>
+        <source>Route</source>
+        <translation>Weg</translation>
+    </message>
+    <message>
+        <source>Parts of the map</source>
+        <translation>Teile der Karte</translation>
+    </message>
+    <message>
+        <source>Ca&amp;ncel</source>
+        <translation>A&amp;bbrechen</translation>
+    </message>
+    <message>
+        <source>Give up; the map that was open stays</source>
+        <translation>Aufgeben; die geöffnete Karte bleibt</translation>
+    </message>
+    <message>
+        <source>Click where the landmark stands, or move the plan under the cross with the arrows and press Enter. Escape gives up.</source>
+        <translation>Klicken Sie auf den Ort der Landmarke, oder schieben Sie den Plan mit den Pfeilen unter das Kreuz und drücken Sie Eingabe. Escape bricht ab.</translation>
+    </message>
+    <message>
+        <source>Click where the door is, or move the plan under the cross with the arrows and press Enter. Escape gives up.</source>
+        <translation>Klicken Sie auf den Ort der Tür, oder schieben Sie den Plan mit den Pfeilen unter das Kreuz und drücken Sie Eingabe. Escape bricht ab.</translation>
+    </message>
+    <message>
+        <source>Add a landmark</source>
+        <translation>Landmarke hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add a door</source>
+        <translation>Tür hinzufügen</translation>
+    </message>
+    <message>
+        <source>Change %1</source>
+        <translation>%1 ändern</translation>
+    </message>
+    <message>
+        <source>Delete %1</source>
+        <translation>%1 löschen</translation>
+    </message>
+    <message>
+        <source>Deleted: %1. Ctrl+Z brings it back.</source>
+        <translation>Gelöscht: %1. Strg+Z holt es zurück.</translation>
+    </message>
+    <message>
+        <source>Move %1</source>
+        <translation>%1 bewegen</translation>
+    </message>
+    <message>
+        <source>Print the plan</source>
+        <translation>Plan drucken</translation>
+    </message>
+    <message>
+        <source>PDF (%1)</source>
+        <translation>PDF (%1)</translation>
+    </message>
+    <message>
+        <source>Printed in %1</source>
+        <translation>Gedruckt in %1</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written. Choose another folder.</source>
+        <translation>%1 kann nicht geschrieben werden. Wählen Sie einen anderen Ordner.</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::MapPanel</name>
+    <message>
+        <source>No map is open.</source>
+        <translation>Es ist keine Karte geöffnet.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n place(s) on the map.</source>
+        <translation>
+            <numerusform>Ein Ort auf der Karte.</numerusform>
+            <numerusform>%n Orte auf der Karte.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Where you are is not known yet.</source>
+        <translation>Es ist noch nicht bekannt, wo Sie sind.</translation>
+    </message>
+    <message>
+        <source>You are in %1, %2: %3.</source>
+        <translation>Sie sind hier: %1, %2: %3.</translation>
+    </message>
+    <message>
+        <source>You are in %1: %2.</source>
+        <translation>Sie sind hier: %1: %2.</translation>
+    </message>
+    <message>
+        <source>&amp;Go to %1</source>
+        <translation>&amp;Gehe zu: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Start at %1</source>
+        <translation>&amp;Beginne bei: %1</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Karte</translation>
+    </message>
+    <message>
+        <source>&amp;Level:</source>
+        <translation>&amp;Ebene:</translation>
+    </message>
+    <message>
+        <source>Level of the map</source>
+        <translation>Ebene der Karte</translation>
+    </message>
+    <message>
+        <source>The floor that the map shows (Page Up and Page Down in the map)</source>
+        <translation>Das Stockwerk, das die Karte zeigt (Bild auf und Bild ab in der Karte)</translation>
+    </message>
+    <message>
+        <source>&amp;Follow</source>
+        <translation>&amp;Folgen</translation>
+    </message>
+    <message>
+        <source>Follow</source>
+        <translation>Folgen</translation>
+    </message>
+    <message>
+        <source>Switch to the floor where you are whenever it changes</source>
+        <translation>Zum Stockwerk wechseln, auf dem Sie sind, sobald es sich ändert</translation>
+    </message>
+    <message>
+        <source>Larger (+)</source>
+        <translation>Größer (+)</translation>
+    </message>
+    <message>
+        <source>Smaller (-)</source>
+        <translation>Kleiner (-)</translation>
+    </message>
+    <message>
+        <source>Show the whole floor (0)</source>
+        <translation>Das ganze Stockwerk zeigen (0)</translation>
+    </message>
+    <message>
+        <source>Floor map</source>
+        <translation>Karte des Stockwerks</translation>
+    </message>
+    <message>
+        <source>Drag to move, turn the wheel to zoom, double-click a place to go there</source>
+        <translation>Ziehen zum Verschieben, Rad drehen zum Vergrößern, Doppelklick auf einen Ort, um dorthin zu gehen</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::MapView</name>
+    <message>
+        <source>Less likely</source>
+        <translation>Weniger wahrscheinlich</translation>
+    </message>
+    <message>
+        <source>More likely</source>
+        <translation>Wahrscheinlicher</translation>
+    </message>
+    <message>
+        <source>No map is open.
+Open one with Ctrl+O.</source>
+        <translation>Es ist keine Karte geöffnet.
+Öffnen Sie eine mit Strg+O.</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::Phrasebook</name>
+    <message>
+        <source>I read: %1. %2.</source>
+        <extracomment>%1 what is written there, %2 &quot;left, up&quot;</extracomment>
+        <translation>Ich lese: %1. %2.</translation>
+    </message>
+    <message>
+        <source>I have found the way.</source>
+        <translation>Ich habe den Weg gefunden.</translation>
+    </message>
+    <message>
+        <source>Destination: %1.</source>
+        <translation>Ziel: %1.</translation>
+    </message>
+    <message>
+        <source>Then</source>
+        <translation>Dann</translation>
+    </message>
+    <message>
+        <source>First</source>
+        <translation>Zuerst</translation>
+    </message>
+    <message>
+        <source>First, probably</source>
+        <translation>Wahrscheinlich zuerst</translation>
+    </message>
+    <message>
+        <source>Start slowly: I will tell you if it is the wrong way.</source>
+        <translation>Beginnen Sie langsam: Ich sage es, wenn es die falsche Richtung ist.</translation>
+    </message>
+    <message>
+        <source>Probably %1 first.</source>
+        <extracomment>%1 &quot;turn left&quot;, &quot;turn around&quot;</extracomment>
+        <translation>Wahrscheinlich zuerst: %1.</translation>
+    </message>
+    <message>
+        <source>Soon</source>
+        <translation>Bald</translation>
+    </message>
+    <message>
+        <source>Soon, probably</source>
+        <translation>Wahrscheinlich bald</translation>
+    </message>
+    <message>
+        <source>Keep moving forward. You are probably on the right way.</source>
+        <translation>Gehen Sie weiter geradeaus. Sie sind wahrscheinlich auf dem richtigen Weg.</translation>
+    </message>
+    <message>
+        <source>Keep moving forward.</source>
+        <translation>Gehen Sie weiter geradeaus.</translation>
+    </message>
+    <message>
+        <source>Now turn slowly to the left, past where you began.</source>
+        <translation>Drehen Sie sich jetzt langsam nach links, über den Anfang hinaus.</translation>
+    </message>
+    <message>
+        <source>Hold still, and tilt the camera slowly up.</source>
+        <translation>Bleiben Sie ruhig stehen und neigen Sie die Kamera langsam nach oben.</translation>
+    </message>
+    <message>
+        <source>Now tilt it slowly down.</source>
+        <translation>Neigen Sie sie jetzt langsam nach unten.</translation>
+    </message>
+    <message>
+        <source>I still do not know where you are. If you can, move a few steps along a wall, or ask for help.</source>
+        <translation>Ich weiß immer noch nicht, wo Sie sind. Gehen Sie, wenn möglich, ein paar Schritte an einer Wand entlang, oder bitten Sie um Hilfe.</translation>
+    </message>
+    <message>
+        <source>Thank you, that is enough.</source>
+        <translation>Danke, das genügt.</translation>
+    </message>
+    <message>
+        <source>I am not sure where you are. Stop, and turn slowly to the right, so that I can look around.</source>
+        <translation>Ich bin nicht sicher, wo Sie sind. Bleiben Sie stehen und drehen Sie sich langsam nach rechts, damit ich mich umsehen kann.</translation>
+    </message>
+    <message>
+        <source>You have arrived.</source>
+        <translation>Sie sind angekommen.</translation>
+    </message>
+    <message>
+        <source>You have probably arrived.</source>
+        <translation>Sie sind wahrscheinlich angekommen.</translation>
+    </message>
+    <message>
+        <source>You have arrived: %1.</source>
+        <translation>Sie sind angekommen: %1.</translation>
+    </message>
+    <message>
+        <source>You have probably arrived: %1.</source>
+        <translation>Sie sind wahrscheinlich angekommen: %1.</translation>
+    </message>
+    <message>
+        <source>You are walking the wrong way.</source>
+        <translation>Sie gehen in die falsche Richtung.</translation>
+    </message>
+    <message>
+        <source>You are probably walking the wrong way.</source>
+        <translation>Sie gehen wahrscheinlich in die falsche Richtung.</translation>
+    </message>
+    <message>
+        <source>You have gone too far.</source>
+        <translation>Sie sind zu weit gegangen.</translation>
+    </message>
+    <message>
+        <source>You have probably gone too far.</source>
+        <translation>Sie sind wahrscheinlich zu weit gegangen.</translation>
+    </message>
+    <message>
+        <source>You have left the route.</source>
+        <translation>Sie haben den Weg verlassen.</translation>
+    </message>
+    <message>
+        <source>You have probably left the route.</source>
+        <translation>Sie haben wahrscheinlich den Weg verlassen.</translation>
+    </message>
+    <message>
+        <source>Stop. I know no way from here.</source>
+        <translation>Halt. Ich kenne keinen Weg von hier.</translation>
+    </message>
+    <message>
+        <source>Stop for a moment.</source>
+        <translation>Bleiben Sie einen Moment stehen.</translation>
+    </message>
+    <message>
+        <source>From here</source>
+        <translation>Von hier aus</translation>
+    </message>
+    <message>
+        <source>I do not know yet where you are.</source>
+        <translation>Ich weiß noch nicht, wo Sie sind.</translation>
+    </message>
+    <message>
+        <source>You are here: %1.</source>
+        <translation>Sie sind hier: %1.</translation>
+    </message>
+    <message>
+        <source>You are probably here, or next to it: %1.</source>
+        <translation>Sie sind wahrscheinlich hier oder gleich daneben: %1.</translation>
+    </message>
+    <message>
+        <source>up</source>
+        <translation>oben</translation>
+    </message>
+    <message>
+        <source>down</source>
+        <translation>unten</translation>
+    </message>
+    <message>
+        <source>%1, %2.</source>
+        <extracomment>%1 &quot;extinguisher&quot;, %2 &quot;left, down&quot;</extracomment>
+        <translation>%1, %2.</translation>
+    </message>
+    <message>
+        <source>perhaps: %1, %2.</source>
+        <translation>vielleicht: %1, %2.</translation>
+    </message>
+    <message>
+        <source>No destination is chosen yet. Choose one first.</source>
+        <translation>Es ist noch kein Ziel gewählt. Wählen Sie zuerst eines.</translation>
+    </message>
+    <message>
+        <source>I do not know this destination. Choose another one.</source>
+        <translation>Ich kenne dieses Ziel nicht. Wählen Sie ein anderes.</translation>
+    </message>
+    <message>
+        <source>I do not know this destination: %1. Choose another one.</source>
+        <translation>Ich kenne dieses Ziel nicht: %1. Wählen Sie ein anderes.</translation>
+    </message>
+    <message>
+        <source>I know no way to your destination. Choose another one, or ask for help.</source>
+        <translation>Ich kenne keinen Weg zu Ihrem Ziel. Wählen Sie ein anderes oder bitten Sie um Hilfe.</translation>
+    </message>
+    <message>
+        <source>I know no way to: %1. Choose another destination, or ask for help.</source>
+        <translation>Ich kenne keinen Weg zu diesem Ziel: %1. Wählen Sie ein anderes oder bitten Sie um Hilfe.</translation>
+    </message>
+    <message>
+        <source>You are already there.</source>
+        <translation>Sie sind schon am Ziel.</translation>
+    </message>
+    <message>
+        <source>You are probably there already.</source>
+        <translation>Sie sind wahrscheinlich schon am Ziel.</translation>
+    </message>
+    <message>
+        <source>You are already there: %1.</source>
+        <translation>Sie sind schon am Ziel: %1.</translation>
+    </message>
+    <message>
+        <source>You are probably there already: %1.</source>
+        <translation>Sie sind wahrscheinlich schon am Ziel: %1.</translation>
+    </message>
+    <message>
+        <source>near you</source>
+        <translation>in Ihrer Nähe</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <comment>what is around</comment>
+        <extracomment>%1 &quot;a door&quot;, %2 a name</extracomment>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>I know of nothing near you.</source>
+        <translation>Ich kenne nichts in Ihrer Nähe.</translation>
+    </message>
+    <message>
+        <source>The directions are those of your way.</source>
+        <translation>Die Richtungen gelten entlang Ihres Weges.</translation>
+    </message>
+    <message>
+        <source>The directions are those of the map.</source>
+        <translation>Die Richtungen sind die der Karte.</translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <comment>what is around</comment>
+        <extracomment>%1 &quot;on your left&quot;, %2 &quot;a door, Library; an extinguisher&quot;</extracomment>
+        <translation>%1: %2.</translation>
+    </message>
+    <message>
+        <source>Stop. The camera gives no picture, and I cannot guide you.</source>
+        <translation>Halt. Die Kamera gibt kein Bild, ich kann Sie nicht führen.</translation>
+    </message>
+    <message>
+        <source>The camera works again.</source>
+        <translation>Die Kamera geht wieder.</translation>
+    </message>
+    <message>
+        <source>The recording has stopped. I keep guiding you.</source>
+        <translation>Die Aufnahme ist abgebrochen. Ich führe Sie weiter.</translation>
+    </message>
+    <message>
+        <source>Stop. I cannot see. Please uncover the camera.</source>
+        <translation>Halt. Ich kann nichts sehen. Bitte decken Sie die Kamera auf.</translation>
+    </message>
+    <message>
+        <source>One picture could not be used. I keep guiding you.</source>
+        <translation>Ein Bild war nicht zu gebrauchen. Ich führe Sie weiter.</translation>
+    </message>
+    <message>
+        <source>Stop. Something is wrong. Please ask for help.</source>
+        <translation>Halt. Etwas stimmt nicht. Bitte holen Sie Hilfe.</translation>
+    </message>
+    <message numerus="yes">
+        <source>About %n foot(feet).</source>
+        <comment>length of the route</comment>
+        <translation>
+            <numerusform>Etwa ein Fuß.</numerusform>
+            <numerusform>Etwa %n Fuß.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>About %n step(s).</source>
+        <comment>length of the route</comment>
+        <translation>
+            <numerusform>Etwa ein Schritt.</numerusform>
+            <numerusform>Etwa %n Schritte.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>About %n metre(s).</source>
+        <comment>length of the route</comment>
+        <translation>
+            <numerusform>Etwa ein Meter.</numerusform>
+            <numerusform>Etwa %n Meter.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>In about %n foot(feet)</source>
+        <comment>then what is there</comment>
+        <translation>
+            <numerusform>In etwa einem Fuß</numerusform>
+            <numerusform>In etwa %n Fuß</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>In about %n step(s)</source>
+        <comment>then what is there</comment>
+        <translation>
+            <numerusform>In etwa einem Schritt</numerusform>
+            <numerusform>In etwa %n Schritten</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>In about %n metre(s)</source>
+        <comment>then what is there</comment>
+        <translation>
+            <numerusform>In etwa einem Meter</numerusform>
+            <numerusform>In etwa %n Metern</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Keep moving forward for about %n foot(feet).</source>
+        <translation>
+            <numerusform>Gehen Sie etwa einen Fuß weiter geradeaus.</numerusform>
+            <numerusform>Gehen Sie etwa %n Fuß weiter geradeaus.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Keep moving forward for about %n step(s).</source>
+        <translation>
+            <numerusform>Gehen Sie etwa einen Schritt weiter geradeaus.</numerusform>
+            <numerusform>Gehen Sie etwa %n Schritte weiter geradeaus.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Keep moving forward for about %n metre(s).</source>
+        <translation>
+            <numerusform>Gehen Sie etwa einen Meter weiter geradeaus.</numerusform>
+            <numerusform>Gehen Sie etwa %n Meter weiter geradeaus.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>a door</source>
+        <translation>eine Tür</translation>
+    </message>
+    <message>
+        <source>an opening</source>
+        <translation>eine Öffnung</translation>
+    </message>
+    <message>
+        <source>stairs up</source>
+        <translation>eine Treppe nach oben</translation>
+    </message>
+    <message>
+        <source>stairs down</source>
+        <translation>eine Treppe nach unten</translation>
+    </message>
+    <message>
+        <source>stairs</source>
+        <translation>Treppe</translation>
+    </message>
+    <message>
+        <source>a lift</source>
+        <translation>ein Aufzug</translation>
+    </message>
+    <message>
+        <source>an escalator up</source>
+        <translation>eine Rolltreppe nach oben</translation>
+    </message>
+    <message>
+        <source>an escalator down</source>
+        <translation>eine Rolltreppe nach unten</translation>
+    </message>
+    <message>
+        <source>an escalator</source>
+        <translation>eine Rolltreppe</translation>
+    </message>
+    <message>
+        <source>a ramp up</source>
+        <translation>eine Rampe nach oben</translation>
+    </message>
+    <message>
+        <source>a ramp down</source>
+        <translation>eine Rampe nach unten</translation>
+    </message>
+    <message>
+        <source>a ramp</source>
+        <translation>eine Rampe</translation>
+    </message>
+    <message>
+        <source>The door is %1.</source>
+        <translation>Die Tür ist %1.</translation>
+    </message>
+    <message>
+        <source>The door is probably %1.</source>
+        <translation>Die Tür ist wahrscheinlich %1.</translation>
+    </message>
+    <message>
+        <source>The opening is %1.</source>
+        <translation>Die Öffnung ist %1.</translation>
+    </message>
+    <message>
+        <source>The opening is probably %1.</source>
+        <translation>Die Öffnung ist wahrscheinlich %1.</translation>
+    </message>
+    <message>
+        <source>The stairs are %1.</source>
+        <translation>Die Treppe ist %1.</translation>
+    </message>
+    <message>
+        <source>The stairs are probably %1.</source>
+        <translation>Die Treppe ist wahrscheinlich %1.</translation>
+    </message>
+    <message>
+        <source>The lift is %1.</source>
+        <translation>Der Aufzug ist %1.</translation>
+    </message>
+    <message>
+        <source>The lift is probably %1.</source>
+        <translation>Der Aufzug ist wahrscheinlich %1.</translation>
+    </message>
+    <message>
+        <source>The escalator is %1.</source>
+        <translation>Die Rolltreppe ist %1.</translation>
+    </message>
+    <message>
+        <source>The escalator is probably %1.</source>
+        <translation>Die Rolltreppe ist wahrscheinlich %1.</translation>
+    </message>
+    <message>
+        <source>The ramp is %1.</source>
+        <translation>Die Rampe ist %1.</translation>
+    </message>
+    <message>
+        <source>The ramp is probably %1.</source>
+        <translation>Die Rampe ist wahrscheinlich %1.</translation>
+    </message>
+    <message>
+        <source>You are probably near the door.</source>
+        <translation>Die Tür ist wahrscheinlich nah.</translation>
+    </message>
+    <message>
+        <source>You are probably near the opening.</source>
+        <translation>Die Öffnung ist wahrscheinlich nah.</translation>
+    </message>
+    <message>
+        <source>Careful: you are probably near the stairs.</source>
+        <translation>Vorsicht: Die Treppe ist wahrscheinlich nah.</translation>
+    </message>
+    <message>
+        <source>You are probably near the lift.</source>
+        <translation>Der Aufzug ist wahrscheinlich nah.</translation>
+    </message>
+    <message>
+        <source>Careful: you are probably near the escalator.</source>
+        <translation>Vorsicht: Die Rolltreppe ist wahrscheinlich nah.</translation>
+    </message>
+    <message>
+        <source>You are probably near the ramp.</source>
+        <translation>Die Rampe ist wahrscheinlich nah.</translation>
+    </message>
+    <message>
+        <source>You are probably where you have to turn.</source>
+        <translation>Sie müssen wahrscheinlich hier abbiegen.</translation>
+    </message>
+    <message>
+        <source>take the stairs up</source>
+        <translation>gehen Sie die Treppe hinauf</translation>
+    </message>
+    <message>
+        <source>take the stairs down</source>
+        <translation>gehen Sie die Treppe hinunter</translation>
+    </message>
+    <message>
+        <source>take the stairs, but feel first whether they go up or down</source>
+        <translation>nehmen Sie die Treppe, aber ertasten Sie zuerst, ob sie hinauf oder hinunter führt</translation>
+    </message>
+    <message>
+        <source>take the lift up</source>
+        <translation>fahren Sie mit dem Aufzug nach oben</translation>
+    </message>
+    <message>
+        <source>take the lift down</source>
+        <translation>fahren Sie mit dem Aufzug nach unten</translation>
+    </message>
+    <message>
+        <source>take the lift</source>
+        <translation>nehmen Sie den Aufzug</translation>
+    </message>
+    <message>
+        <source>take the escalator up</source>
+        <translation>fahren Sie mit der Rolltreppe nach oben</translation>
+    </message>
+    <message>
+        <source>take the escalator down</source>
+        <translation>fahren Sie mit der Rolltreppe nach unten</translation>
+    </message>
+    <message>
+        <source>take the escalator, but feel first whether it goes up or down</source>
+        <translation>nehmen Sie die Rolltreppe, aber ertasten Sie zuerst, ob sie hinauf oder hinunter führt</translation>
+    </message>
+    <message>
+        <source>go up the ramp</source>
+        <translation>gehen Sie die Rampe hinauf</translation>
+    </message>
+    <message>
+        <source>go down the ramp</source>
+        <translation>gehen Sie die Rampe hinunter</translation>
+    </message>
+    <message>
+        <source>follow the ramp</source>
+        <translation>folgen Sie der Rampe</translation>
+    </message>
+    <message>
+        <source>ahead</source>
+        <translation>vor Ihnen</translation>
+    </message>
+    <message>
+        <source>next</source>
+        <comment>door or opening</comment>
+        <translation>nächste</translation>
+    </message>
+    <message>
+        <source>get out of the lift</source>
+        <translation>verlassen Sie den Aufzug</translation>
+    </message>
+    <message>
+        <source>go into the lift</source>
+        <translation>betreten Sie den Aufzug</translation>
+    </message>
+    <message>
+        <source>go into the lift %1</source>
+        <translation>betreten Sie den Aufzug %1</translation>
+    </message>
+    <message>
+        <source>go straight on through two doors in a row</source>
+        <translation>gehen Sie geradeaus durch zwei Türen hintereinander</translation>
+    </message>
+    <message>
+        <source>go straight on through two openings in a row</source>
+        <translation>gehen Sie geradeaus durch zwei Öffnungen hintereinander</translation>
+    </message>
+    <message>
+        <source>go straight on through the door</source>
+        <translation>gehen Sie geradeaus durch die Tür</translation>
+    </message>
+    <message>
+        <source>go straight on through the opening</source>
+        <translation>gehen Sie geradeaus durch die Öffnung</translation>
+    </message>
+    <message>
+        <source>go through the door</source>
+        <translation>gehen Sie durch die Tür</translation>
+    </message>
+    <message>
+        <source>go through the opening</source>
+        <translation>gehen Sie durch die Öffnung</translation>
+    </message>
+    <message>
+        <source>go through the door %1</source>
+        <translation>gehen Sie durch die Tür %1</translation>
+    </message>
+    <message>
+        <source>go through the opening %1</source>
+        <translation>gehen Sie durch die Öffnung %1</translation>
+    </message>
+    <message>
+        <source>go through the %1 door %2</source>
+        <translation>gehen Sie durch die %1 Tür %2</translation>
+    </message>
+    <message>
+        <source>go through the %1 opening %2</source>
+        <translation>gehen Sie durch die %1 Öffnung %2</translation>
+    </message>
+    <message>
+        <source>%1, then %2</source>
+        <extracomment>%1 &quot;go through the door&quot;, %2 &quot;turn left&quot;</extracomment>
+        <translation>%1, dann %2</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <extracomment>%1 &quot;go through the door&quot;, %2 &quot;turning left&quot;</extracomment>
+        <translation>%1, dabei %2</translation>
+    </message>
+    <message>
+        <source>move forward</source>
+        <translation>gehen Sie vorwärts</translation>
+    </message>
+    <message>
+        <source>your destination</source>
+        <translation>Ihr Ziel</translation>
+    </message>
+    <message>
+        <source>stay in the lift</source>
+        <translation>bleiben Sie im Aufzug</translation>
+    </message>
+    <message>
+        <source>stay in the lift until: %1</source>
+        <translation>bleiben Sie im Aufzug bis: %1</translation>
+    </message>
+    <message>
+        <source>go straight on through the next door</source>
+        <translation>gehen Sie geradeaus durch die nächste Tür</translation>
+    </message>
+    <message>
+        <source>go straight on through the next opening</source>
+        <translation>gehen Sie geradeaus durch die nächste Öffnung</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <comment>what and where</comment>
+        <extracomment>%1 &quot;a door&quot;, %2 &quot;on your left&quot;
+----------
+%1 &quot;after the extinguisher&quot;, %2 &quot;on your left&quot;</extracomment>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>level %1</source>
+        <translation>Ebene %1</translation>
+    </message>
+    <message>
+        <source>minus %1</source>
+        <translation>minus %1</translation>
+    </message>
+    <message>
+        <source>It is a long flight.</source>
+        <translation>Es sind viele Stufen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n step(s).</source>
+        <translation>
+            <numerusform>Eine Stufe.</numerusform>
+            <numerusform>%n Stufen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Next: %1.</source>
+        <translation>Danach: %1.</translation>
+    </message>
+    <message>
+        <source>When you get out: %1.</source>
+        <translation>Beim Aussteigen: %1.</translation>
+    </message>
+    <message>
+        <source>At the top: %1.</source>
+        <translation>Oben: %1.</translation>
+    </message>
+    <message>
+        <source>At the bottom: %1.</source>
+        <translation>Unten: %1.</translation>
+    </message>
+    <message>
+        <source>Inside, choose: %1.</source>
+        <translation>Wählen Sie drinnen: %1.</translation>
+    </message>
+    <message>
+        <source>Then, straight away, %1.</source>
+        <translation>Gleich danach %1.</translation>
+    </message>
+    <message>
+        <source>%1: your destination.</source>
+        <translation>%1: Ihr Ziel.</translation>
+    </message>
+    <message>
+        <source>%1: your destination, %2.</source>
+        <translation>%1: Ihr Ziel, %2.</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <comment>mark</comment>
+        <extracomment>%1 &quot;turn left&quot;, %2 &quot;after the extinguisher&quot;</extracomment>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <comment>when, what comes</comment>
+        <extracomment>%1 &quot;Soon&quot;, %2 &quot;stairs up&quot;</extracomment>
+        <translation>%1: %2.</translation>
+    </message>
+    <message>
+        <source>%1, %2.</source>
+        <comment>when, what to do</comment>
+        <extracomment>%1 &quot;Soon&quot;, %2 &quot;go through the door&quot;</extracomment>
+        <translation>%1 %2.</translation>
+    </message>
+    <message>
+        <source>%1: a bend. Follow it, %2.</source>
+        <extracomment>%1 &quot;First&quot;, %2 &quot;turning left&quot;</extracomment>
+        <translation>%1: eine Biegung. Folgen Sie ihr %2.</translation>
+    </message>
+    <message>
+        <source>Your destination is here.</source>
+        <translation>Ihr Ziel ist hier.</translation>
+    </message>
+    <message>
+        <source>Your destination is probably here.</source>
+        <translation>Ihr Ziel ist wahrscheinlich hier.</translation>
+    </message>
+    <message>
+        <source>Your destination is here: %1.</source>
+        <translation>Ihr Ziel ist hier: %1.</translation>
+    </message>
+    <message>
+        <source>Your destination is probably here: %1.</source>
+        <translation>Ihr Ziel ist wahrscheinlich hier: %1.</translation>
+    </message>
+    <message numerus="yes">
+        <source>And %n more thing(s) to do after that.</source>
+        <translation>
+            <numerusform>Danach ist noch eines zu tun.</numerusform>
+            <numerusform>Danach sind noch %n Dinge zu tun.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>known place</source>
+        <translation>bekannter Ort</translation>
+    </message>
+    <message>
+        <source>door</source>
+        <translation>Tür</translation>
+    </message>
+    <message>
+        <source>lift</source>
+        <translation>Aufzug</translation>
+    </message>
+    <message>
+        <source>extinguisher</source>
+        <translation>Feuerlöscher</translation>
+    </message>
+    <message>
+        <source>exit sign</source>
+        <translation>Ausgangsschild</translation>
+    </message>
+    <message>
+        <source>sign</source>
+        <translation>Schild</translation>
+    </message>
+    <message>
+        <source>text</source>
+        <translation>Text</translation>
+    </message>
+    <message>
+        <source>rectangular shape</source>
+        <translation>rechteckige Form</translation>
+    </message>
+    <message>
+        <source>window</source>
+        <translation>Fenster</translation>
+    </message>
+    <message>
+        <source>locker</source>
+        <translation>Spind</translation>
+    </message>
+    <message>
+        <source>poster</source>
+        <translation>Plakat</translation>
+    </message>
+    <message>
+        <source>drinking fountain</source>
+        <translation>Trinkbrunnen</translation>
+    </message>
+    <message>
+        <source>hydrant</source>
+        <translation>Hydrant</translation>
+    </message>
+    <message>
+        <source>vending machine</source>
+        <translation>Verkaufsautomat</translation>
+    </message>
+    <message>
+        <source>waste bin</source>
+        <translation>Abfalleimer</translation>
+    </message>
+    <message>
+        <source>plant</source>
+        <translation>Pflanze</translation>
+    </message>
+    <message>
+        <source>piece of furniture</source>
+        <translation>Möbelstück</translation>
+    </message>
+    <message>
+        <source>picture</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>object</source>
+        <translation>Gegenstand</translation>
+    </message>
+    <message>
+        <source>an extinguisher</source>
+        <translation>ein Feuerlöscher</translation>
+    </message>
+    <message>
+        <source>an exit sign</source>
+        <translation>ein Ausgangsschild</translation>
+    </message>
+    <message>
+        <source>a sign</source>
+        <translation>ein Schild</translation>
+    </message>
+    <message>
+        <source>a text</source>
+        <translation>ein Text</translation>
+    </message>
+    <message>
+        <source>a window</source>
+        <translation>ein Fenster</translation>
+    </message>
+    <message>
+        <source>a locker</source>
+        <translation>ein Spind</translation>
+    </message>
+    <message>
+        <source>a poster</source>
+        <translation>ein Plakat</translation>
+    </message>
+    <message>
+        <source>a drinking fountain</source>
+        <translation>ein Trinkbrunnen</translation>
+    </message>
+    <message>
+        <source>a hydrant</source>
+        <translation>ein Hydrant</translation>
+    </message>
+    <message>
+        <source>a vending machine</source>
+        <translation>ein Verkaufsautomat</translation>
+    </message>
+    <message>
+        <source>a waste bin</source>
+        <translation>ein Abfalleimer</translation>
+    </message>
+    <message>
+        <source>a plant</source>
+        <translation>eine Pflanze</translation>
+    </message>
+    <message>
+        <source>a piece of furniture</source>
+        <translation>ein Möbelstück</translation>
+    </message>
+    <message>
+        <source>a picture</source>
+        <translation>ein Bild</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>links</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <source>centre</source>
+        <translation>in der Mitte</translation>
+    </message>
+    <message>
+        <source>1 o&apos;clock</source>
+        <translation>ein Uhr</translation>
+    </message>
+    <message>
+        <source>2 o&apos;clock</source>
+        <translation>zwei Uhr</translation>
+    </message>
+    <message>
+        <source>3 o&apos;clock</source>
+        <translation>drei Uhr</translation>
+    </message>
+    <message>
+        <source>4 o&apos;clock</source>
+        <translation>vier Uhr</translation>
+    </message>
+    <message>
+        <source>5 o&apos;clock</source>
+        <translation>fünf Uhr</translation>
+    </message>
+    <message>
+        <source>6 o&apos;clock</source>
+        <translation>sechs Uhr</translation>
+    </message>
+    <message>
+        <source>7 o&apos;clock</source>
+        <translation>sieben Uhr</translation>
+    </message>
+    <message>
+        <source>8 o&apos;clock</source>
+        <translation>acht Uhr</translation>
+    </message>
+    <message>
+        <source>9 o&apos;clock</source>
+        <translation>neun Uhr</translation>
+    </message>
+    <message>
+        <source>10 o&apos;clock</source>
+        <translation>zehn Uhr</translation>
+    </message>
+    <message>
+        <source>11 o&apos;clock</source>
+        <translation>elf Uhr</translation>
+    </message>
+    <message>
+        <source>12 o&apos;clock</source>
+        <translation>zwölf Uhr</translation>
+    </message>
+    <message>
+        <source>go straight on</source>
+        <translation>gehen Sie geradeaus weiter</translation>
+    </message>
+    <message>
+        <source>turn to %1</source>
+        <comment>one o&apos;clock</comment>
+        <extracomment>%1 is an hour, such as &quot;9 o&apos;clock&quot;</extracomment>
+        <translation>drehen Sie sich in Richtung %1</translation>
+    </message>
+    <message>
+        <source>turn to %1</source>
+        <translation>drehen Sie sich in Richtung %1</translation>
+    </message>
+    <message>
+        <source>turn around</source>
+        <translation>drehen Sie sich um</translation>
+    </message>
+    <message>
+        <source>turn %1 degrees to the left</source>
+        <translation>drehen Sie sich um %1 Grad nach links</translation>
+    </message>
+    <message>
+        <source>turn %1 degrees to the right</source>
+        <translation>drehen Sie sich um %1 Grad nach rechts</translation>
+    </message>
+    <message>
+        <source>turn slightly left</source>
+        <translation>biegen Sie leicht links ab</translation>
+    </message>
+    <message>
+        <source>turn left</source>
+        <translation>biegen Sie links ab</translation>
+    </message>
+    <message>
+        <source>turn sharply left</source>
+        <translation>biegen Sie scharf links ab</translation>
+    </message>
+    <message>
+        <source>turn slightly right</source>
+        <translation>biegen Sie leicht rechts ab</translation>
+    </message>
+    <message>
+        <source>turn right</source>
+        <translation>biegen Sie rechts ab</translation>
+    </message>
+    <message>
+        <source>turn sharply right</source>
+        <translation>biegen Sie scharf rechts ab</translation>
+    </message>
+    <message>
+        <source>turn slightly left</source>
+        <comment>on the spot</comment>
+        <translation>drehen Sie sich leicht nach links</translation>
+    </message>
+    <message>
+        <source>turn left</source>
+        <comment>on the spot</comment>
+        <translation>drehen Sie sich nach links</translation>
+    </message>
+    <message>
+        <source>turn sharply left</source>
+        <comment>on the spot</comment>
+        <translation>drehen Sie sich weit nach links</translation>
+    </message>
+    <message>
+        <source>turn slightly right</source>
+        <comment>on the spot</comment>
+        <translation>drehen Sie sich leicht nach rechts</translation>
+    </message>
+    <message>
+        <source>turn right</source>
+        <comment>on the spot</comment>
+        <translation>drehen Sie sich nach rechts</translation>
+    </message>
+    <message>
+        <source>turn sharply right</source>
+        <comment>on the spot</comment>
+        <translation>drehen Sie sich weit nach rechts</translation>
+    </message>
+    <message>
+        <source>turning to %1</source>
+        <comment>one o&apos;clock</comment>
+        <extracomment>%1 is an hour, such as &quot;9 o&apos;clock&quot;</extracomment>
+        <translation>in Richtung %1</translation>
+    </message>
+    <message>
+        <source>turning to %1</source>
+        <translation>in Richtung %1</translation>
+    </message>
+    <message>
+        <source>turning around</source>
+        <translation>zurück</translation>
+    </message>
+    <message>
+        <source>turning %1 degrees to the left</source>
+        <translation>um %1 Grad nach links</translation>
+    </message>
+    <message>
+        <source>turning %1 degrees to the right</source>
+        <translation>um %1 Grad nach rechts</translation>
+    </message>
+    <message>
+        <source>turning slightly left</source>
+        <translation>leicht nach links</translation>
+    </message>
+    <message>
+        <source>turning left</source>
+        <translation>nach links</translation>
+    </message>
+    <message>
+        <source>turning sharply left</source>
+        <translation>scharf nach links</translation>
+    </message>
+    <message>
+        <source>turning slightly right</source>
+        <translation>leicht nach rechts</translation>
+    </message>
+    <message>
+        <source>turning right</source>
+        <translation>nach rechts</translation>
+    </message>
+    <message>
+        <source>turning sharply right</source>
+        <translation>scharf nach rechts</translation>
+    </message>
+    <message>
+        <source>on your left</source>
+        <translation>links</translation>
+    </message>
+    <message>
+        <source>on your right</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <source>at %1</source>
+        <comment>one o&apos;clock</comment>
+        <extracomment>%1 is an hour, such as &quot;9 o&apos;clock&quot;</extracomment>
+        <translation>auf %1</translation>
+    </message>
+    <message>
+        <source>at %1</source>
+        <translation>auf %1</translation>
+    </message>
+    <message>
+        <source>straight ahead</source>
+        <translation>geradeaus</translation>
+    </message>
+    <message>
+        <source>behind you</source>
+        <translation>hinter Ihnen</translation>
+    </message>
+    <message>
+        <source>%1 degrees to your right</source>
+        <translation>%1 Grad rechts von Ihnen</translation>
+    </message>
+    <message>
+        <source>%1 degrees to your left</source>
+        <translation>%1 Grad links von Ihnen</translation>
+    </message>
+    <message>
+        <source>ahead, slightly to your right</source>
+        <translation>vor Ihnen, leicht rechts</translation>
+    </message>
+    <message>
+        <source>behind you, on the right</source>
+        <translation>hinter Ihnen rechts</translation>
+    </message>
+    <message>
+        <source>behind you, on the left</source>
+        <translation>hinter Ihnen links</translation>
+    </message>
+    <message>
+        <source>ahead, slightly to your left</source>
+        <translation>vor Ihnen, leicht links</translation>
+    </message>
+    <message>
+        <source>first</source>
+        <comment>door or opening</comment>
+        <translation>erste</translation>
+    </message>
+    <message>
+        <source>second</source>
+        <comment>door or opening</comment>
+        <translation>zweite</translation>
+    </message>
+    <message>
+        <source>third</source>
+        <comment>door or opening</comment>
+        <translation>dritte</translation>
+    </message>
+    <message>
+        <source>fourth</source>
+        <comment>door or opening</comment>
+        <translation>vierte</translation>
+    </message>
+    <message>
+        <source>fifth</source>
+        <comment>door or opening</comment>
+        <translation>fünfte</translation>
+    </message>
+    <message>
+        <source>sixth</source>
+        <comment>door or opening</comment>
+        <translation>sechste</translation>
+    </message>
+    <message>
+        <source>seventh</source>
+        <comment>door or opening</comment>
+        <translation>siebte</translation>
+    </message>
+    <message>
+        <source>eighth</source>
+        <comment>door or opening</comment>
+        <translation>achte</translation>
+    </message>
+    <message>
+        <source>after the extinguisher</source>
+        <translation>nach dem Feuerlöscher</translation>
+    </message>
+    <message>
+        <source>after the drinking fountain</source>
+        <translation>nach dem Trinkbrunnen</translation>
+    </message>
+    <message>
+        <source>after the hydrant</source>
+        <translation>nach dem Hydranten</translation>
+    </message>
+    <message>
+        <source>after the vending machine</source>
+        <translation>nach dem Verkaufsautomaten</translation>
+    </message>
+    <message>
+        <source>after the waste bin</source>
+        <translation>nach dem Abfalleimer</translation>
+    </message>
+    <message>
+        <source>after the plant</source>
+        <translation>nach der Pflanze</translation>
+    </message>
+    <message>
+        <source>after the locker</source>
+        <translation>nach dem Spind</translation>
+    </message>
+    <message>
+        <source>a room</source>
+        <translation>ein Raum</translation>
+    </message>
+    <message>
+        <source>a corridor</source>
+        <translation>ein Flur</translation>
+    </message>
+    <message>
+        <source>a hall</source>
+        <translation>eine Halle</translation>
+    </message>
+    <message>
+        <source>a stairwell</source>
+        <translation>ein Treppenhaus</translation>
+    </message>
+    <message>
+        <source>a toilet</source>
+        <translation>eine Toilette</translation>
+    </message>
+    <message>
+        <source>outside the building</source>
+        <translation>außerhalb des Gebäudes</translation>
+    </message>
+    <message>
+        <source>to the north-east</source>
+        <translation>im Nordosten</translation>
+    </message>
+    <message>
+        <source>to the east</source>
+        <translation>im Osten</translation>
+    </message>
+    <message>
+        <source>to the south-east</source>
+        <translation>im Südosten</translation>
+    </message>
+    <message>
+        <source>to the south</source>
+        <translation>im Süden</translation>
+    </message>
+    <message>
+        <source>to the south-west</source>
+        <translation>im Südwesten</translation>
+    </message>
+    <message>
+        <source>to the west</source>
+        <translation>im Westen</translation>
+    </message>
+    <message>
+        <source>to the north-west</source>
+        <translation>im Nordwesten</translation>
+    </message>
+    <message>
+        <source>to the north</source>
+        <translation>im Norden</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::PlaceChooser</name>
+    <message>
+        <source>No such place</source>
+        <translation>Diesen Ort gibt es nicht</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n places fit: choose one</source>
+        <translation>
+            <numerusform>ein Ort passt: wählen Sie ihn</numerusform>
+            <numerusform>%n Orte passen: wählen Sie einen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>&amp;Go to:</source>
+        <translation>&amp;Gehe zu:</translation>
+    </message>
+    <message>
+        <source>Destination</source>
+        <translation>Ziel</translation>
+    </message>
+    <message>
+        <source>type a name or room number</source>
+        <translation>Name oder Raumnummer tippen</translation>
+    </message>
+    <message>
+        <source>Where to go: type part of a name, room number or level, then choose</source>
+        <translation>Wohin: Tippen Sie einen Teil eines Namens, einer Raumnummer oder Ebene und wählen Sie</translation>
+    </message>
+    <message>
+        <source>Start &amp;at:</source>
+        <translation>&amp;Beginne bei:</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>not known, Farol looks for it</source>
+        <translation>nicht bekannt, Farol sucht ihn</translation>
+    </message>
+    <message>
+        <source>Where the walk starts, if you know it</source>
+        <translation>Wo die Begehung beginnt, wenn Sie es wissen</translation>
+    </message>
+    <message>
+        <source>F&amp;rom:</source>
+        <translation>&amp;Von:</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Von</translation>
+    </message>
+    <message>
+        <source>Where the route begins: type part of a name, room number or level, then choose</source>
+        <translation>Wo der Weg beginnt: Tippen Sie einen Teil eines Namens, einer Raumnummer oder Ebene und wählen Sie</translation>
+    </message>
+    <message>
+        <source>&amp;To:</source>
+        <translation>&amp;Nach:</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Nach</translation>
+    </message>
+    <message>
+        <source>Where the route ends: type part of a name, room number or level, then choose</source>
+        <translation>Wo der Weg endet: Tippen Sie einen Teil eines Namens, einer Raumnummer oder Ebene und wählen Sie</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keiner</translation>
+    </message>
+    <message>
+        <source>Type part of a name, room number or level, then choose</source>
+        <translation>Tippen Sie einen Teil eines Namens, einer Raumnummer oder Ebene und wählen Sie</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::PlanLegend</name>
+    <message>
+        <source>no landmark</source>
+        <translation>ohne Landmarke</translation>
+    </message>
+    <message>
+        <source>looks like another place</source>
+        <translation>sieht aus wie ein anderer Ort</translation>
+    </message>
+    <message>
+        <source>a landmark here helps most</source>
+        <translation>hier hilft eine Landmarke am meisten</translation>
+    </message>
+    <message>
+        <source>not joined with the rest</source>
+        <translation>nicht mit dem Rest verbunden</translation>
+    </message>
+    <message>
+        <source>Legend: %1</source>
+        <translation>Legende: %1</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::PlanPanel</name>
+    <message>
+        <source>No map is open.</source>
+        <translation>Es ist keine Karte geöffnet.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n region(s), %2</source>
+        <translation>
+            <numerusform>%1: eine Region, %2</numerusform>
+            <numerusform>%1: %n Regionen, %2</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n landmark(s)</source>
+        <translation>
+            <numerusform>eine Landmarke</numerusform>
+            <numerusform>%n Landmarken</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>&amp;Level:</source>
+        <translation>&amp;Ebene:</translation>
+    </message>
+    <message>
+        <source>Level of the plan</source>
+        <translation>Ebene des Plans</translation>
+    </message>
+    <message>
+        <source>The floor that the plan shows (Page Up and Page Down in the plan)</source>
+        <translation>Das Stockwerk, das der Plan zeigt (Bild auf und Bild ab im Plan)</translation>
+    </message>
+    <message>
+        <source>Larger (+)</source>
+        <translation>Größer (+)</translation>
+    </message>
+    <message>
+        <source>Smaller (-)</source>
+        <translation>Kleiner (-)</translation>
+    </message>
+    <message>
+        <source>Show the whole floor (0)</source>
+        <translation>Das ganze Stockwerk zeigen (0)</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>Plan</translation>
+    </message>
+    <message>
+        <source>Drag to move, turn the wheel to zoom. What is chosen can be dragged, or moved by Alt and the arrows</source>
+        <translation>Ziehen zum Verschieben, Rad drehen zum Vergrößern. Das Gewählte lässt sich ziehen oder mit Alt und den Pfeilen bewegen</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::RegionDialog</name>
+    <message>
+        <source>Region %1</source>
+        <translation>Region %1</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>What is spoken</source>
+        <translation>Was gesprochen wird</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Nummer</translation>
+    </message>
+    <message>
+        <source>The number on the door</source>
+        <translation>Die Nummer an der Tür</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>What sort of place it is</source>
+        <translation>Was für ein Ort es ist</translation>
+    </message>
+    <message>
+        <source>Restricted</source>
+        <translation>Eingeschränkt</translation>
+    </message>
+    <message>
+        <source>Not open to everyone</source>
+        <translation>Nicht für alle offen</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::ReportPanel</name>
+    <message>
+        <source>%1, %2, %3</source>
+        <translation>%1, %2, %3</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n error(s)</source>
+        <translation>
+            <numerusform>ein Fehler</numerusform>
+            <numerusform>%n Fehler</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n warning(s)</source>
+        <translation>
+            <numerusform>eine Warnung</numerusform>
+            <numerusform>%n Warnungen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n note(s)</source>
+        <translation>
+            <numerusform>ein Hinweis</numerusform>
+            <numerusform>%n Hinweise</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No map is open.</source>
+        <translation>Es ist keine Karte geöffnet.</translation>
+    </message>
+    <message>
+        <source>The map was changed after this check: %1.</source>
+        <translation>Die Karte wurde nach dieser Prüfung geändert: %1.</translation>
+    </message>
+    <message>
+        <source>Nothing is wrong with this map.</source>
+        <translation>An dieser Karte ist nichts falsch.</translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation>Befunde</translation>
+    </message>
+    <message>
+        <source>What is wrong with the map; choose a finding to see its place on the plan</source>
+        <translation>Was an der Karte nicht stimmt; wählen Sie einen Befund, um seinen Ort auf dem Plan zu sehen</translation>
+    </message>
+    <message>
+        <source>The finding in words</source>
+        <translation>Der Befund in Worten</translation>
+    </message>
+    <message>
+        <source>The finding in words, and what to do</source>
+        <translation>Der Befund in Worten, und was zu tun ist</translation>
+    </message>
+    <message>
+        <source>Ne&amp;xt feature</source>
+        <translation>&amp;Nächstes Objekt</translation>
+    </message>
+    <message>
+        <source>Show the next feature of this finding (F4)</source>
+        <translation>Das nächste Objekt dieses Befunds zeigen (F4)</translation>
+    </message>
+    <message>
+        <source>Chec&amp;k again</source>
+        <translation>Noch einmal &amp;prüfen</translation>
+    </message>
+    <message>
+        <source>Look for what is wrong with the map as it is now (F7)</source>
+        <translation>Suchen, was an der Karte jetzt nicht stimmt (F7)</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::RouteModel</name>
+    <message>
+        <source>Start in %1.</source>
+        <translation>Beginnen Sie hier: %1.</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>After</source>
+        <translation>Nach</translation>
+    </message>
+    <message>
+        <source>What to do</source>
+        <translation>Was zu tun ist</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::RoutePanel</name>
+    <message>
+        <source>No map is open.</source>
+        <translation>Es ist keine Karte geöffnet.</translation>
+    </message>
+    <message>
+        <source>Looking for the way…</source>
+        <translation>Der Weg wird gesucht…</translation>
+    </message>
+    <message>
+        <source>There is no way. %1</source>
+        <translation>Es gibt keinen Weg. %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 m, about %n minute(s), through %2.</source>
+        <translation>
+            <numerusform>%1 m, etwa eine Minute, durch %2.</numerusform>
+            <numerusform>%1 m, etwa %n Minuten, durch %2.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n door(s) and passage(s)</source>
+        <translation>
+            <numerusform>eine Tür oder einen Durchgang</numerusform>
+            <numerusform>%n Türen und Durchgänge</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Choose where the route begins and ends, here or by the menu of a place on the plan.</source>
+        <translation>Wählen Sie Anfang und Ende des Weges, hier oder im Menü eines Ortes auf dem Plan.</translation>
+    </message>
+    <message>
+        <source>Swa&amp;p</source>
+        <translation>&amp;Tauschen</translation>
+    </message>
+    <message>
+        <source>The way back: exchange where the route begins and ends</source>
+        <translation>Der Rückweg: Anfang und Ende des Weges tauschen</translation>
+    </message>
+    <message>
+        <source>Avoid</source>
+        <translation>Vermeiden</translation>
+    </message>
+    <message>
+        <source>stairs</source>
+        <translation>Treppen</translation>
+    </message>
+    <message>
+        <source>Find a way without stairs</source>
+        <translation>Einen Weg ohne Treppen suchen</translation>
+    </message>
+    <message>
+        <source>lifts</source>
+        <translation>Aufzüge</translation>
+    </message>
+    <message>
+        <source>Find a way without lifts</source>
+        <translation>Einen Weg ohne Aufzüge suchen</translation>
+    </message>
+    <message>
+        <source>escalators</source>
+        <translation>Rolltreppen</translation>
+    </message>
+    <message>
+        <source>Find a way without escalators</source>
+        <translation>Einen Weg ohne Rolltreppen suchen</translation>
+    </message>
+    <message>
+        <source>restricted regions</source>
+        <translation>eingeschränkte Regionen</translation>
+    </message>
+    <message>
+        <source>Find a way that is open to everyone</source>
+        <translation>Einen Weg suchen, der allen offen steht</translation>
+    </message>
+    <message>
+        <source>Sentences of the route</source>
+        <translation>Sätze des Weges</translation>
+    </message>
+    <message>
+        <source>What the walker hears; choose a sentence to see its place on the plan</source>
+        <translation>Was man unterwegs hört; wählen Sie einen Satz, um seinen Ort auf dem Plan zu sehen</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::RuleWords</name>
+    <message>
+        <source>Outlines that are no proper outline</source>
+        <translation>Umrisse, die keine richtigen Umrisse sind</translation>
+    </message>
+    <message>
+        <source>Draw the outline again so that it does not cross itself.</source>
+        <translation>Zeichnen Sie den Umriss neu, sodass er sich nicht selbst kreuzt.</translation>
+    </message>
+    <message>
+        <source>Regions that share an id</source>
+        <translation>Regionen mit gleicher Kennung</translation>
+    </message>
+    <message>
+        <source>Give each region an id of its own.</source>
+        <translation>Geben Sie jeder Region eine eigene Kennung.</translation>
+    </message>
+    <message>
+        <source>Names that nobody can say</source>
+        <translation>Namen, die niemand sagen kann</translation>
+    </message>
+    <message>
+        <source>Give the region the name that people use; this one is never spoken.</source>
+        <translation>Geben Sie der Region den Namen, den die Leute benutzen; dieser wird nie gesprochen.</translation>
+    </message>
+    <message>
+        <source>Doors that share an id</source>
+        <translation>Türen mit gleicher Kennung</translation>
+    </message>
+    <message>
+        <source>Give each door or passage an id of its own.</source>
+        <translation>Geben Sie jeder Tür oder jedem Durchgang eine eigene Kennung.</translation>
+    </message>
+    <message>
+        <source>Landmarks that share an id</source>
+        <translation>Landmarken mit gleicher Kennung</translation>
+    </message>
+    <message>
+        <source>Give each landmark an id of its own.</source>
+        <translation>Geben Sie jeder Landmarke eine eigene Kennung.</translation>
+    </message>
+    <message>
+        <source>Doors that do not join two regions</source>
+        <translation>Türen, die nicht zwei Regionen verbinden</translation>
+    </message>
+    <message>
+        <source>Choose the region on each side of the door.</source>
+        <translation>Wählen Sie die Region auf jeder Seite der Tür.</translation>
+    </message>
+    <message>
+        <source>Doors to regions that do not exist</source>
+        <translation>Türen zu Regionen, die es nicht gibt</translation>
+    </message>
+    <message>
+        <source>Choose regions that are on the map for both sides.</source>
+        <translation>Wählen Sie für beide Seiten Regionen der Karte.</translation>
+    </message>
+    <message>
+        <source>Doors far from the regions they join</source>
+        <translation>Türen weit weg von den Regionen, die sie verbinden</translation>
+    </message>
+    <message>
+        <source>Move the door to where the two regions meet.</source>
+        <translation>Schieben Sie die Tür dorthin, wo die beiden Regionen sich treffen.</translation>
+    </message>
+    <message>
+        <source>Doors drawn on fewer or more than two regions</source>
+        <translation>Türen, die auf weniger oder mehr als zwei Regionen liegen</translation>
+    </message>
+    <message>
+        <source>Doors beside more than two regions</source>
+        <translation>Türen neben mehr als zwei Regionen</translation>
+    </message>
+    <message>
+        <source>See that the two sides are the right ones.</source>
+        <translation>Sehen Sie nach, ob die beiden Seiten stimmen.</translation>
+    </message>
+    <message>
+        <source>Passages drawn along the way instead of across it</source>
+        <translation>Durchgänge, die längs statt quer zum Weg gezeichnet sind</translation>
+    </message>
+    <message>
+        <source>If one walks along the line, choose its two sides by hand.</source>
+        <translation>Wenn man an der Linie entlanggeht, wählen Sie ihre beiden Seiten von Hand.</translation>
+    </message>
+    <message>
+        <source>Doors without a place on the map</source>
+        <translation>Türen ohne Ort auf der Karte</translation>
+    </message>
+    <message>
+        <source>Draw them in the source, or put them in here.</source>
+        <translation>Zeichnen Sie sie in der Quelle, oder setzen Sie sie hier ein.</translation>
+    </message>
+    <message>
+        <source>Stairs or lifts that do not change the level</source>
+        <translation>Treppen oder Aufzüge, die die Ebene nicht wechseln</translation>
+    </message>
+    <message>
+        <source>Choose regions of two levels, or another kind.</source>
+        <translation>Wählen Sie Regionen zweier Ebenen oder eine andere Art.</translation>
+    </message>
+    <message>
+        <source>Parts of the building that no way joins</source>
+        <translation>Teile des Gebäudes, die kein Weg verbindet</translation>
+    </message>
+    <message>
+        <source>Put in the door, stairs or lift that joins them.</source>
+        <translation>Setzen Sie die Tür, die Treppe oder den Aufzug dazwischen ein.</translation>
+    </message>
+    <message>
+        <source>Regions without any door</source>
+        <translation>Regionen ohne Tür</translation>
+    </message>
+    <message>
+        <source>Put in the door that leads there.</source>
+        <translation>Setzen Sie die Tür ein, die dorthin führt.</translation>
+    </message>
+    <message>
+        <source>Regions without a name</source>
+        <translation>Regionen ohne Namen</translation>
+    </message>
+    <message>
+        <source>Give them the name that people use.</source>
+        <translation>Geben Sie ihnen den Namen, den die Leute benutzen.</translation>
+    </message>
+    <message>
+        <source>Regions of one level with the same number</source>
+        <translation>Regionen einer Ebene mit gleicher Nummer</translation>
+    </message>
+    <message>
+        <source>Correct the number of one of them.</source>
+        <translation>Berichtigen Sie die Nummer einer von ihnen.</translation>
+    </message>
+    <message>
+        <source>Regions as narrow as a wall</source>
+        <translation>Regionen so schmal wie eine Wand</translation>
+    </message>
+    <message>
+        <source>Join them with their neighbour in the source.</source>
+        <translation>Vereinigen Sie sie in der Quelle mit der Nachbarregion.</translation>
+    </message>
+    <message>
+        <source>Regions that overlap</source>
+        <translation>Regionen, die sich überlappen</translation>
+    </message>
+    <message>
+        <source>Draw the border between them in the source.</source>
+        <translation>Zeichnen Sie die Grenze zwischen ihnen in der Quelle.</translation>
+    </message>
+    <message>
+        <source>Regions inside other regions</source>
+        <translation>Regionen in anderen Regionen</translation>
+    </message>
+    <message>
+        <source>Cut the smaller one out of the larger one, unless it is a part of it.</source>
+        <translation>Schneiden Sie die kleinere aus der größeren, wenn sie kein Teil davon ist.</translation>
+    </message>
+    <message>
+        <source>Regions drawn twice</source>
+        <translation>Doppelt gezeichnete Regionen</translation>
+    </message>
+    <message>
+        <source>Remove one of them in the source.</source>
+        <translation>Entfernen Sie eine davon in der Quelle.</translation>
+    </message>
+    <message>
+        <source>Regions in several parts</source>
+        <translation>Regionen aus mehreren Teilen</translation>
+    </message>
+    <message>
+        <source>Each part became a region; give the parts names of their own.</source>
+        <translation>Jeder Teil wurde eine Region; geben Sie den Teilen eigene Namen.</translation>
+    </message>
+    <message>
+        <source>Landmarks in regions that do not exist</source>
+        <translation>Landmarken in Regionen, die es nicht gibt</translation>
+    </message>
+    <message>
+        <source>Move the landmark into a region.</source>
+        <translation>Schieben Sie die Landmarke in eine Region.</translation>
+    </message>
+    <message>
+        <source>Landmarks outside their region</source>
+        <translation>Landmarken außerhalb ihrer Region</translation>
+    </message>
+    <message>
+        <source>Move the landmark into its region.</source>
+        <translation>Schieben Sie die Landmarke in ihre Region.</translation>
+    </message>
+    <message>
+        <source>Landmarks that were given their region by their place</source>
+        <translation>Landmarken, deren Region sich aus ihrem Ort ergab</translation>
+    </message>
+    <message>
+        <source>Levels that the list of levels does not name</source>
+        <translation>Ebenen, die in der Liste der Ebenen fehlen</translation>
+    </message>
+    <message>
+        <source>Add the level to the list in the source.</source>
+        <translation>Fügen Sie die Ebene in der Quelle zur Liste hinzu.</translation>
+    </message>
+    <message>
+        <source>Levels named twice</source>
+        <translation>Doppelt genannte Ebenen</translation>
+    </message>
+    <message>
+        <source>Levels without a usable number</source>
+        <translation>Ebenen ohne brauchbare Nummer</translation>
+    </message>
+    <message>
+        <source>Give the level a number in the source.</source>
+        <translation>Geben Sie der Ebene in der Quelle eine Nummer.</translation>
+    </message>
+    <message>
+        <source>Features whose level was assumed</source>
+        <translation>Objekte, deren Ebene angenommen wurde</translation>
+    </message>
+    <message>
+        <source>Add the level in the source.</source>
+        <translation>Fügen Sie die Ebene in der Quelle hinzu.</translation>
+    </message>
+    <message>
+        <source>Links between levels that lead nowhere</source>
+        <translation>Verbindungen zwischen Ebenen, die nirgends hinführen</translation>
+    </message>
+    <message>
+        <source>Choose regions that are on the map.</source>
+        <translation>Wählen Sie Regionen der Karte.</translation>
+    </message>
+    <message>
+        <source>Stairs and lifts joined because they lie above one another</source>
+        <translation>Treppen und Aufzüge, die verbunden wurden, weil sie übereinander liegen</translation>
+    </message>
+    <message>
+        <source>See that they really are one.</source>
+        <translation>Sehen Sie nach, ob sie wirklich eins sind.</translation>
+    </message>
+    <message>
+        <source>Stairs or lifts that leave out a level</source>
+        <translation>Treppen oder Aufzüge, die eine Ebene auslassen</translation>
+    </message>
+    <message>
+        <source>Add the stop, if there is one.</source>
+        <translation>Fügen Sie den Halt hinzu, wenn es ihn gibt.</translation>
+    </message>
+    <message>
+        <source>Kinds that are not known</source>
+        <translation>Unbekannte Arten</translation>
+    </message>
+    <message>
+        <source>Choose one of the kinds that Farol knows.</source>
+        <translation>Wählen Sie eine der Arten, die Farol kennt.</translation>
+    </message>
+    <message>
+        <source>Degrees where metres are meant</source>
+        <translation>Grad, wo Meter gemeint sind</translation>
+    </message>
+    <message>
+        <source>See that the building has its right size.</source>
+        <translation>Sehen Sie nach, ob das Gebäude die richtige Größe hat.</translation>
+    </message>
+    <message>
+        <source>Metres where degrees are meant</source>
+        <translation>Meter, wo Grad gemeint sind</translation>
+    </message>
+    <message>
+        <source>The coordinates&apos; system is not named</source>
+        <translation>Das Koordinatensystem ist nicht genannt</translation>
+    </message>
+    <message>
+        <source>Name the coordinate system in the source.</source>
+        <translation>Nennen Sie das Koordinatensystem in der Quelle.</translation>
+    </message>
+    <message>
+        <source>The coordinates&apos; system is not understood</source>
+        <translation>Das Koordinatensystem wird nicht verstanden</translation>
+    </message>
+    <message>
+        <source>Name a common coordinate system in the source.</source>
+        <translation>Nennen Sie in der Quelle ein gebräuchliches Koordinatensystem.</translation>
+    </message>
+    <message>
+        <source>Coordinates were converted to metres</source>
+        <translation>Koordinaten wurden in Meter umgerechnet</translation>
+    </message>
+    <message>
+        <source>North and east were exchanged</source>
+        <translation>Nord und Ost waren vertauscht</translation>
+    </message>
+    <message>
+        <source>Export the map again to be sure.</source>
+        <translation>Exportieren Sie die Karte zur Sicherheit noch einmal.</translation>
+    </message>
+    <message>
+        <source>Points that are no places</source>
+        <translation>Punkte, die keine Orte sind</translation>
+    </message>
+    <message>
+        <source>See whether something is missing there.</source>
+        <translation>Sehen Sie nach, ob dort etwas fehlt.</translation>
+    </message>
+    <message>
+        <source>Features without a shape</source>
+        <translation>Objekte ohne Form</translation>
+    </message>
+    <message>
+        <source>Draw them in the source if they are needed.</source>
+        <translation>Zeichnen Sie sie in der Quelle, wenn sie gebraucht werden.</translation>
+    </message>
+    <message>
+        <source>Features without a usable shape</source>
+        <translation>Objekte ohne brauchbare Form</translation>
+    </message>
+    <message>
+        <source>Layers without features</source>
+        <translation>Layer ohne Objekte</translation>
+    </message>
+    <message>
+        <source>Layers whose meaning is not clear</source>
+        <translation>Layer mit unklarer Bedeutung</translation>
+    </message>
+    <message>
+        <source>Say in a profile what the layer holds.</source>
+        <translation>Sagen Sie in einem Profil, was der Layer enthält.</translation>
+    </message>
+    <message>
+        <source>Layers that were not used</source>
+        <translation>Layer, die nicht verwendet wurden</translation>
+    </message>
+    <message>
+        <source>Codes without a meaning</source>
+        <translation>Codes ohne Bedeutung</translation>
+    </message>
+    <message>
+        <source>Say in a profile what the code means.</source>
+        <translation>Sagen Sie in einem Profil, was der Code bedeutet.</translation>
+    </message>
+    <message>
+        <source>Openings added where no wall stands between regions</source>
+        <translation>Öffnungen, wo zwischen Regionen keine Wand steht</translation>
+    </message>
+    <message>
+        <source>See that one can really walk through.</source>
+        <translation>Sehen Sie nach, ob man wirklich hindurchgehen kann.</translation>
+    </message>
+    <message>
+        <source>Escalators without a direction</source>
+        <translation>Rolltreppen ohne Richtung</translation>
+    </message>
+    <message>
+        <source>Say which way they run.</source>
+        <translation>Sagen Sie, in welche Richtung sie laufen.</translation>
+    </message>
+    <message>
+        <source>Amenities without a known level</source>
+        <translation>Einrichtungen ohne bekannte Ebene</translation>
+    </message>
+    <message>
+        <source>Name the level in the source.</source>
+        <translation>Nennen Sie die Ebene in der Quelle.</translation>
+    </message>
+    <message>
+        <source>Amenities without a place</source>
+        <translation>Einrichtungen ohne Ort</translation>
+    </message>
+    <message>
+        <source>Give them a point in the source.</source>
+        <translation>Geben Sie ihnen in der Quelle einen Punkt.</translation>
+    </message>
+    <message>
+        <source>Categories that are not known</source>
+        <translation>Unbekannte Kategorien</translation>
+    </message>
+    <message>
+        <source>Levels without an id</source>
+        <translation>Ebenen ohne Kennung</translation>
+    </message>
+    <message>
+        <source>Give the level an id in the source.</source>
+        <translation>Geben Sie der Ebene in der Quelle eine Kennung.</translation>
+    </message>
+    <message>
+        <source>Levels without an ordinal</source>
+        <translation>Ebenen ohne Ordnungszahl</translation>
+    </message>
+    <message>
+        <source>Give the level an ordinal in the source.</source>
+        <translation>Geben Sie der Ebene in der Quelle eine Ordnungszahl.</translation>
+    </message>
+    <message>
+        <source>Parts of the IMDF archive that were not used</source>
+        <translation>Teile des IMDF-Archivs, die nicht verwendet wurden</translation>
+    </message>
+    <message>
+        <source>Walls, columns and voids drawn as units</source>
+        <translation>Wände, Säulen und Lufträume, die als Einheiten gezeichnet sind</translation>
+    </message>
+    <message>
+        <source>Occupants without a place</source>
+        <translation>Nutzer ohne Ort</translation>
+    </message>
+    <message>
+        <source>Name the anchor in the source.</source>
+        <translation>Nennen Sie den Anker in der Quelle.</translation>
+    </message>
+    <message>
+        <source>Openings that are closed</source>
+        <translation>Öffnungen, die gesperrt sind</translation>
+    </message>
+    <message>
+        <source>Openings without a line</source>
+        <translation>Öffnungen ohne Linie</translation>
+    </message>
+    <message>
+        <source>Draw the opening as a line in the source.</source>
+        <translation>Zeichnen Sie die Öffnung in der Quelle als Linie.</translation>
+    </message>
+    <message>
+        <source>Relationships that do not name two units</source>
+        <translation>Beziehungen, die nicht zwei Einheiten nennen</translation>
+    </message>
+    <message>
+        <source>Name the two units in the source.</source>
+        <translation>Nennen Sie die beiden Einheiten in der Quelle.</translation>
+    </message>
+    <message>
+        <source>Units without an outline</source>
+        <translation>Einheiten ohne Umriss</translation>
+    </message>
+    <message>
+        <source>Draw the outline in the source.</source>
+        <translation>Zeichnen Sie den Umriss in der Quelle.</translation>
+    </message>
+    <message>
+        <source>Doors that stand on no outline</source>
+        <translation>Türen, die auf keinem Umriss stehen</translation>
+    </message>
+    <message>
+        <source>Draw the door on the outline of its room.</source>
+        <translation>Zeichnen Sie die Tür auf den Umriss ihres Raums.</translation>
+    </message>
+    <message>
+        <source>Openings put where a way enters a room</source>
+        <translation>Öffnungen, wo ein Weg in einen Raum führt</translation>
+    </message>
+    <message>
+        <source>Draw the door in the source.</source>
+        <translation>Zeichnen Sie die Tür in der Quelle.</translation>
+    </message>
+    <message>
+        <source>Objects whose level is not clear</source>
+        <translation>Gegenstände, deren Ebene unklar ist</translation>
+    </message>
+    <message>
+        <source>Objects far from every region</source>
+        <translation>Gegenstände weit weg von jeder Region</translation>
+    </message>
+    <message>
+        <source>Draw the room they stand in.</source>
+        <translation>Zeichnen Sie den Raum, in dem sie stehen.</translation>
+    </message>
+    <message>
+        <source>Features without a level</source>
+        <translation>Objekte ohne Ebene</translation>
+    </message>
+    <message>
+        <source>Levels that cannot be read</source>
+        <translation>Ebenen, die nicht lesbar sind</translation>
+    </message>
+    <message>
+        <source>Correct the level in the source.</source>
+        <translation>Berichtigen Sie die Ebene in der Quelle.</translation>
+    </message>
+    <message>
+        <source>Lifts without a door</source>
+        <translation>Aufzüge ohne Tür</translation>
+    </message>
+    <message>
+        <source>Move the door to its place.</source>
+        <translation>Schieben Sie die Tür an ihren Ort.</translation>
+    </message>
+    <message>
+        <source>Lifts that are only a point</source>
+        <translation>Aufzüge, die nur ein Punkt sind</translation>
+    </message>
+    <message>
+        <source>Steps that lead nowhere</source>
+        <translation>Stufen, die nirgends hinführen</translation>
+    </message>
+    <message>
+        <source>Draw the area or way that they lead to.</source>
+        <translation>Zeichnen Sie die Fläche oder den Weg, zu dem sie führen.</translation>
+    </message>
+    <message>
+        <source>Steps that may go up or down</source>
+        <translation>Stufen, die hinauf oder hinunter führen können</translation>
+    </message>
+    <message>
+        <source>Say in the source which end is up.</source>
+        <translation>Sagen Sie in der Quelle, welches Ende oben ist.</translation>
+    </message>
+    <message>
+        <source>Steps without a length</source>
+        <translation>Stufen ohne Länge</translation>
+    </message>
+    <message>
+        <source>Draw the line of the steps.</source>
+        <translation>Zeichnen Sie die Linie der Stufen.</translation>
+    </message>
+    <message>
+        <source>Cells that could not be used</source>
+        <translation>Zellen, die nicht zu brauchen waren</translation>
+    </message>
+    <message>
+        <source>Give each cell an outline and an id.</source>
+        <translation>Geben Sie jeder Zelle einen Umriss und eine Kennung.</translation>
+    </message>
+    <message>
+        <source>The coordinates&apos; system is not known</source>
+        <translation>Das Koordinatensystem ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>Doors that do not lie between two rooms</source>
+        <translation>Türen, die nicht zwischen zwei Räumen liegen</translation>
+    </message>
+    <message>
+        <source>Levels that nothing tells</source>
+        <translation>Ebenen, die nirgends stehen</translation>
+    </message>
+    <message>
+        <source>Say where the level stands when importing.</source>
+        <translation>Sagen Sie beim Importieren, wo die Ebene steht.</translation>
+    </message>
+    <message>
+        <source>Levels counted from the heights of the floors</source>
+        <translation>Ebenen, nach der Höhe der Böden gezählt</translation>
+    </message>
+    <message>
+        <source>Storeys named by words</source>
+        <translation>Stockwerke, die mit Worten benannt sind</translation>
+    </message>
+    <message>
+        <source>Transitions that do not join two cells</source>
+        <translation>Übergänge, die nicht zwei Zellen verbinden</translation>
+    </message>
+    <message>
+        <source>Correct the transition in the source.</source>
+        <translation>Berichtigen Sie den Übergang in der Quelle.</translation>
+    </message>
+    <message>
+        <source>Entrances of facilities that are missing</source>
+        <translation>Eingänge von Einrichtungen, die fehlen</translation>
+    </message>
+    <message>
+        <source>Add the facility in the source.</source>
+        <translation>Fügen Sie die Einrichtung in der Quelle hinzu.</translation>
+    </message>
+    <message>
+        <source>Facilities that no entrance leads to</source>
+        <translation>Einrichtungen, zu denen kein Eingang führt</translation>
+    </message>
+    <message>
+        <source>Add the entrance in the source.</source>
+        <translation>Fügen Sie den Eingang in der Quelle hinzu.</translation>
+    </message>
+    <message>
+        <source>The number of the ground floor was assumed</source>
+        <translation>Die Nummer des Erdgeschosses wurde angenommen</translation>
+    </message>
+    <message>
+        <source>Say it when importing, if it is another one.</source>
+        <translation>Sagen Sie sie beim Importieren, wenn es eine andere ist.</translation>
+    </message>
+    <message>
+        <source>Objects far from every node</source>
+        <translation>Gegenstände weit weg von jedem Knoten</translation>
+    </message>
+    <message>
+        <source>Move the object in the source.</source>
+        <translation>Bewegen Sie den Gegenstand in der Quelle.</translation>
+    </message>
+    <message>
+        <source>Links that do not join two nodes</source>
+        <translation>Verbindungen, die nicht zwei Knoten verbinden</translation>
+    </message>
+    <message>
+        <source>Correct the link in the source.</source>
+        <translation>Berichtigen Sie die Verbindung in der Quelle.</translation>
+    </message>
+    <message>
+        <source>Nodes that could not be used</source>
+        <translation>Knoten, die nicht zu brauchen waren</translation>
+    </message>
+    <message>
+        <source>Give each node a place and an id.</source>
+        <translation>Geben Sie jedem Knoten einen Ort und eine Kennung.</translation>
+    </message>
+    <message>
+        <source>Nodes that no link leads to</source>
+        <translation>Knoten, zu denen keine Verbindung führt</translation>
+    </message>
+    <message>
+        <source>Add the link in the source.</source>
+        <translation>Fügen Sie die Verbindung in der Quelle hinzu.</translation>
+    </message>
+    <message>
+        <source>Nodes without a floor</source>
+        <translation>Knoten ohne Stockwerk</translation>
+    </message>
+    <message>
+        <source>Add the floor in the source.</source>
+        <translation>Fügen Sie das Stockwerk in der Quelle hinzu.</translation>
+    </message>
+    <message>
+        <source>Regions made from a network of ways</source>
+        <translation>Regionen, die aus einem Wegenetz entstanden</translation>
+    </message>
+    <message>
+        <source>Features of an unknown sort</source>
+        <translation>Objekte unbekannter Art</translation>
+    </message>
+    <message>
+        <source>Spaces closed from walls, doors and windows</source>
+        <translation>Räume, aus Wänden, Türen und Fenstern geschlossen</translation>
+    </message>
+    <message>
+        <source>Give them names.</source>
+        <translation>Geben Sie ihnen Namen.</translation>
+    </message>
+    <message>
+        <source>Doors with a space on one side only</source>
+        <translation>Türen mit einem Raum auf nur einer Seite</translation>
+    </message>
+    <message>
+        <source>See whether a wall is missing, or the door leads outside.</source>
+        <translation>Sehen Sie nach, ob eine Wand fehlt oder die Tür nach draußen führt.</translation>
+    </message>
+    <message>
+        <source>Narrow strips between walls</source>
+        <translation>Schmale Streifen zwischen Wänden</translation>
+    </message>
+    <message>
+        <source>Directions of doors that are not understood</source>
+        <translation>Richtungen von Türen, die nicht verstanden werden</translation>
+    </message>
+    <message>
+        <source>Say which way one can pass.</source>
+        <translation>Sagen Sie, in welche Richtung man durchgehen kann.</translation>
+    </message>
+    <message>
+        <source>Stairs or lifts to a level that nothing names</source>
+        <translation>Treppen oder Aufzüge zu einer Ebene, die nirgends genannt ist</translation>
+    </message>
+    <message>
+        <source>Choose the region on the other level.</source>
+        <translation>Wählen Sie die Region auf der anderen Ebene.</translation>
+    </message>
+    <message>
+        <source>Upper ends of stairs and lifts that are known already</source>
+        <translation>Obere Enden von Treppen und Aufzügen, die schon bekannt sind</translation>
+    </message>
+    <message>
+        <source>Levels counted from the heights of the shapes</source>
+        <translation>Ebenen, nach der Höhe der Formen gezählt</translation>
+    </message>
+    <message>
+        <source>Moving walkways without a direction</source>
+        <translation>Rollsteige ohne Richtung</translation>
+    </message>
+    <message>
+        <source>Say in the source which way they run.</source>
+        <translation>Sagen Sie in der Quelle, in welche Richtung sie laufen.</translation>
+    </message>
+    <message>
+        <source>Moving walkways that lead nowhere</source>
+        <translation>Rollsteige, die nirgends hinführen</translation>
+    </message>
+    <message>
+        <source>Regions whose door joins two others</source>
+        <translation>Regionen, deren Tür zwei andere verbindet</translation>
+    </message>
+    <message>
+        <source>Correct the sides of the door, or put in another one.</source>
+        <translation>Berichtigen Sie die Seiten der Tür, oder setzen Sie eine andere ein.</translation>
+    </message>
+    <message>
+        <source>Something to look at</source>
+        <translation>Etwas zum Nachsehen</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::SettingsDialog</name>
+    <message>
+        <source>Settings</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>As the computer is set</source>
+        <translation>Wie der Computer</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Sprache</translation>
+    </message>
+    <message>
+        <source>Language of the window and of the voice</source>
+        <translation>Sprache des Fensters und der Stimme</translation>
+    </message>
+    <message>
+        <source>&amp;Language:</source>
+        <translation>&amp;Sprache:</translation>
+    </message>
+    <message>
+        <source>Left and right</source>
+        <translation>Links und rechts</translation>
+    </message>
+    <message>
+        <source>Hours of a clock</source>
+        <translation>Stunden einer Uhr</translation>
+    </message>
+    <message>
+        <source>Degrees</source>
+        <translation>Grad</translation>
+    </message>
+    <message>
+        <source>Directions</source>
+        <translation>Richtungen</translation>
+    </message>
+    <message>
+        <source>How turns are told</source>
+        <translation>Wie Richtungen gesagt werden</translation>
+    </message>
+    <message>
+        <source>&amp;Directions:</source>
+        <translation>&amp;Richtungen:</translation>
+    </message>
+    <message>
+        <source>The way only</source>
+        <translation>Nur der Weg</translation>
+    </message>
+    <message>
+        <source>The way and objects</source>
+        <translation>Der Weg und Gegenstände</translation>
+    </message>
+    <message>
+        <source>The way, objects and texts</source>
+        <translation>Der Weg, Gegenstände und Texte</translation>
+    </message>
+    <message>
+        <source>What is told</source>
+        <translation>Was gesagt wird</translation>
+    </message>
+    <message>
+        <source>How much is told on the way</source>
+        <translation>Wie viel unterwegs gesagt wird</translation>
+    </message>
+    <message>
+        <source>&amp;What is told:</source>
+        <translation>&amp;Was gesagt wird:</translation>
+    </message>
+    <message>
+        <source>The first that works</source>
+        <translation>Das erste, das geht</translation>
+    </message>
+    <message>
+        <source>Speech program</source>
+        <translation>Sprachprogramm</translation>
+    </message>
+    <message>
+        <source>Which speech program of this computer speaks</source>
+        <translation>Welches Sprachprogramm dieses Computers spricht</translation>
+    </message>
+    <message>
+        <source>&amp;Speech program:</source>
+        <translation>S&amp;prachprogramm:</translation>
+    </message>
+    <message>
+        <source>What fits the language</source>
+        <translation>Was zur Sprache passt</translation>
+    </message>
+    <message>
+        <source>Voice</source>
+        <translation>Stimme</translation>
+    </message>
+    <message>
+        <source>Press “List voices” to choose among those of the speech program</source>
+        <translation>Drücken Sie „Stimmen auflisten“, um eine des Sprachprogramms zu wählen</translation>
+    </message>
+    <message>
+        <source>List &amp;voices</source>
+        <translation>Stimmen auf&amp;listen</translation>
+    </message>
+    <message>
+        <source>List voices</source>
+        <translation>Stimmen auflisten</translation>
+    </message>
+    <message>
+        <source>Ask the speech program for its voices; this can take some seconds</source>
+        <translation>Das Sprachprogramm nach seinen Stimmen fragen; das kann einige Sekunden dauern</translation>
+    </message>
+    <message>
+        <source>V&amp;oice:</source>
+        <translation>S&amp;timme:</translation>
+    </message>
+    <message>
+        <source>Speed of the voice</source>
+        <translation>Tempo der Stimme</translation>
+    </message>
+    <message>
+        <source>Slow on the left, fast on the right</source>
+        <translation>Links langsam, rechts schnell</translation>
+    </message>
+    <message>
+        <source>S&amp;peed of the voice:</source>
+        <translation>T&amp;empo der Stimme:</translation>
+    </message>
+    <message>
+        <source>Loudness</source>
+        <translation>Lautstärke</translation>
+    </message>
+    <message>
+        <source>How loud the voice is</source>
+        <translation>Wie laut die Stimme ist</translation>
+    </message>
+    <message>
+        <source>Lo&amp;udness:</source>
+        <translation>La&amp;utstärke:</translation>
+    </message>
+    <message>
+        <source>Folder of recordings</source>
+        <translation>Ordner der Aufnahmen</translation>
+    </message>
+    <message>
+        <source>Where recorded walks are kept</source>
+        <translation>Wo aufgenommene Begehungen liegen</translation>
+    </message>
+    <message>
+        <source>&amp;Browse…</source>
+        <translation>&amp;Durchsuchen…</translation>
+    </message>
+    <message>
+        <source>Browse for the folder of recordings</source>
+        <translation>Den Ordner der Aufnahmen suchen</translation>
+    </message>
+    <message>
+        <source>Choose where recorded walks are kept</source>
+        <translation>Wählen, wo aufgenommene Begehungen liegen</translation>
+    </message>
+    <message>
+        <source>&amp;Recordings:</source>
+        <translation>&amp;Aufnahmen:</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::SourceDialog</name>
+    <message>
+        <source>&amp;Camera number</source>
+        <translation>&amp;Kameranummer</translation>
+    </message>
+    <message>
+        <source>&amp;Video file</source>
+        <translation>&amp;Videodatei</translation>
+    </message>
+    <message>
+        <source>&amp;Folder of pictures</source>
+        <translation>&amp;Bilderordner</translation>
+    </message>
+    <message>
+        <source>Network &amp;address</source>
+        <translation>Netz&amp;adresse</translation>
+    </message>
+    <message>
+        <source>Open pictures</source>
+        <translation>Bilder öffnen</translation>
+    </message>
+    <message>
+        <source>Camera number</source>
+        <translation>Kameranummer</translation>
+    </message>
+    <message>
+        <source>0 is the first camera of this computer</source>
+        <translation>0 ist die erste Kamera dieses Computers</translation>
+    </message>
+    <message>
+        <source>Video file</source>
+        <translation>Videodatei</translation>
+    </message>
+    <message>
+        <source>Folder of pictures</source>
+        <translation>Bilderordner</translation>
+    </message>
+    <message>
+        <source>Network address</source>
+        <translation>Netzadresse</translation>
+    </message>
+    <message>
+        <source>Pictures a second</source>
+        <translation>Bilder je Sekunde</translation>
+    </message>
+    <message>
+        <source>How many pictures of the folder make a second</source>
+        <translation>Wie viele Bilder des Ordners eine Sekunde sind</translation>
+    </message>
+    <message>
+        <source>Pictures a &amp;second:</source>
+        <translation>Bilder je &amp;Sekunde:</translation>
+    </message>
+    <message>
+        <source>&amp;Browse…</source>
+        <translation>&amp;Durchsuchen…</translation>
+    </message>
+    <message>
+        <source>Browse for a video file</source>
+        <translation>Eine Videodatei suchen</translation>
+    </message>
+    <message>
+        <source>B&amp;rowse…</source>
+        <translation>Durchs&amp;uchen…</translation>
+    </message>
+    <message>
+        <source>Browse for a folder</source>
+        <translation>Einen Ordner suchen</translation>
+    </message>
+    <message>
+        <source>Open a video</source>
+        <translation>Video öffnen</translation>
+    </message>
+    <message>
+        <source>Videos (%1);;All files (%2)</source>
+        <translation>Videos (%1);;Alle Dateien (%2)</translation>
+    </message>
+    <message>
+        <source>Open a folder of pictures</source>
+        <translation>Bilderordner öffnen</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::SpeechDesk</name>
+    <message>
+        <source>Voice off: sentences are only shown</source>
+        <translation>Stimme aus: Sätze werden nur gezeigt</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::SpeechOutput</name>
+    <message>
+        <source>The voice starts with the first sentence.</source>
+        <translation>Die Stimme beginnt mit dem ersten Satz.</translation>
+    </message>
+    <message>
+        <source>The voice hangs: nothing may be heard. Choose another one in the settings.</source>
+        <translation>Die Stimme hängt: Vielleicht ist nichts zu hören. Wählen Sie in den Einstellungen eine andere.</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::SpeechQueue</name>
+    <message>
+        <source>There is nothing to repeat.</source>
+        <translation>Es gibt nichts zu wiederholen.</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::UtteranceModel</name>
+    <message>
+        <source>Caused by picture %1</source>
+        <translation>Ausgelöst durch Bild %1</translation>
+    </message>
+    <message>
+        <source>Shown as text, not heard</source>
+        <translation>Als Text gezeigt, nicht gehört</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Sentence</source>
+        <translation>Satz</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Stand</translation>
+    </message>
+    <message>
+        <source>Because</source>
+        <translation>Weil</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::Voice</name>
+    <message>
+        <source>The voice &quot;%1&quot; is not installed. Choose another one in the settings.</source>
+        <translation>Die Stimme &quot;%1&quot; ist nicht installiert. Wählen Sie in den Einstellungen eine andere.</translation>
+    </message>
+    <message>
+        <source>The voice &quot;%1&quot; does not start: %2</source>
+        <translation>Die Stimme &quot;%1&quot; startet nicht: %2</translation>
+    </message>
+    <message>
+        <source>The voice &quot;%1&quot; does not speak this language. Choose another one in the settings.</source>
+        <translation>Die Stimme &quot;%1&quot; spricht diese Sprache nicht. Wählen Sie in den Einstellungen eine andere.</translation>
+    </message>
+    <message>
+        <source>No voice is installed.</source>
+        <translation>Es ist keine Stimme installiert.</translation>
+    </message>
+    <message>
+        <source>There is no sound device. Connect headphones or a loudspeaker.</source>
+        <translation>Es gibt kein Audiogerät. Schließen Sie Kopfhörer oder einen Lautsprecher an.</translation>
+    </message>
+    <message>
+        <source>The voice does not work. Choose another one in the settings.</source>
+        <translation>Die Stimme geht nicht. Wählen Sie in den Einstellungen eine andere.</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::VoteModel</name>
+    <message numerus="yes">
+        <source>%n matching object(s)</source>
+        <translation>
+            <numerusform>ein passender Gegenstand</numerusform>
+            <numerusform>%n passende Gegenstände</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Ort</translation>
+    </message>
+    <message>
+        <source>Votes</source>
+        <translation>Stimmen</translation>
+    </message>
+    <message>
+        <source>Made of</source>
+        <translation>Besteht aus</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::Walk</name>
+    <message numerus="yes">
+        <source>%n remark(s) about the map: %1</source>
+        <translation>
+            <numerusform>eine Bemerkung zur Karte: %1</numerusform>
+            <numerusform>%n Bemerkungen zur Karte: %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Opening %1…</source>
+        <translation>%1 wird geöffnet…</translation>
+    </message>
+    <message>
+        <source>Loading…</source>
+        <translation>Lädt…</translation>
+    </message>
+    <message>
+        <source>Open a map first (Ctrl+O).</source>
+        <translation>Öffnen Sie zuerst eine Karte (Strg+O).</translation>
+    </message>
+    <message>
+        <source>Open a camera, a video or a folder of pictures first (Ctrl+P).</source>
+        <translation>Öffnen Sie zuerst eine Kamera, ein Video oder einen Bilderordner (Strg+P).</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::WindowActions</name>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Datei</translation>
+    </message>
+    <message>
+        <source>&amp;Walk</source>
+        <translation>&amp;Begehung</translation>
+    </message>
+    <message>
+        <source>V&amp;oice</source>
+        <translation>&amp;Stimme</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hilfe</translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
+        <translation>S&amp;prache</translation>
+    </message>
+    <message>
+        <source>R&amp;ecent maps</source>
+        <translation>Zuletzt geöffnete K&amp;arten</translation>
+    </message>
+    <message>
+        <source>Recent landmark li&amp;braries</source>
+        <translation>Zuletzt geöffnete B&amp;ibliotheken</translation>
+    </message>
+    <message>
+        <source>Recent pi&amp;ctures</source>
+        <translation>&amp;Zuletzt geöffnete Bilder</translation>
+    </message>
+    <message>
+        <source>&amp;Open map…</source>
+        <translation>Karte ö&amp;ffnen…</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Karte</translation>
+    </message>
+    <message>
+        <source>Open the map of a building</source>
+        <translation>Die Karte eines Gebäudes öffnen</translation>
+    </message>
+    <message>
+        <source>Open landmark &amp;library…</source>
+        <translation>&amp;Landmarkenbibliothek öffnen…</translation>
+    </message>
+    <message>
+        <source>Landmarks</source>
+        <translation>Landmarken</translation>
+    </message>
+    <message>
+        <source>Open the landmarks that Farol was taught</source>
+        <translation>Die Landmarken öffnen, die Farol gelernt hat</translation>
+    </message>
+    <message>
+        <source>&amp;Close landmark library</source>
+        <translation>Landmarkenbibliothek s&amp;chließen</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Walk without taught landmarks</source>
+        <translation>Ohne gelernte Landmarken gehen</translation>
+    </message>
+    <message>
+        <source>Open &amp;pictures…</source>
+        <translation>&amp;Bilder öffnen…</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>Choose a camera, a video, a folder or an address</source>
+        <translation>Eine Kamera, ein Video, einen Ordner oder eine Adresse wählen</translation>
+    </message>
+    <message>
+        <source>&amp;Settings…</source>
+        <translation>&amp;Einstellungen…</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>Language, voice and what is told</source>
+        <translation>Sprache, Stimme und was gesagt wird</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>Been&amp;den</translation>
+    </message>
+    <message>
+        <source>Quit</source>
+        <translation>Beenden</translation>
+    </message>
+    <message>
+        <source>Leave Farol</source>
+        <translation>Farol verlassen</translation>
+    </message>
+    <message>
+        <source>&amp;Pause</source>
+        <translation>&amp;Anhalten</translation>
+    </message>
+    <message>
+        <source>&amp;Play</source>
+        <translation>&amp;Abspielen</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Abspielen</translation>
+    </message>
+    <message>
+        <source>Hold the walk</source>
+        <translation>Die Begehung anhalten</translation>
+    </message>
+    <message>
+        <source>Start the walk, or go on</source>
+        <translation>Die Begehung beginnen oder fortsetzen</translation>
+    </message>
+    <message>
+        <source>&amp;One picture</source>
+        <translation>&amp;Ein Bild</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Schritt</translation>
+    </message>
+    <message>
+        <source>Go on by one picture, then hold</source>
+        <translation>Ein Bild weiter, dann anhalten</translation>
+    </message>
+    <message>
+        <source>S&amp;top</source>
+        <translation>S&amp;topp</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Stopp</translation>
+    </message>
+    <message>
+        <source>End the walk</source>
+        <translation>Die Begehung beenden</translation>
+    </message>
+    <message>
+        <source>&amp;Faster</source>
+        <translation>S&amp;chneller</translation>
+    </message>
+    <message>
+        <source>Faster</source>
+        <translation>Schneller</translation>
+    </message>
+    <message>
+        <source>Play faster</source>
+        <translation>Schneller abspielen</translation>
+    </message>
+    <message>
+        <source>&amp;Slower</source>
+        <translation>&amp;Langsamer</translation>
+    </message>
+    <message>
+        <source>Slower</source>
+        <translation>Langsamer</translation>
+    </message>
+    <message>
+        <source>Play slower</source>
+        <translation>Langsamer abspielen</translation>
+    </message>
+    <message>
+        <source>Choose &amp;destination</source>
+        <translation>&amp;Ziel wählen</translation>
+    </message>
+    <message>
+        <source>Destination</source>
+        <translation>Ziel</translation>
+    </message>
+    <message>
+        <source>Choose where to go</source>
+        <translation>Wählen, wohin es geht</translation>
+    </message>
+    <message>
+        <source>&amp;No destination</source>
+        <translation>&amp;Kein Ziel</translation>
+    </message>
+    <message>
+        <source>No destination</source>
+        <translation>Kein Ziel</translation>
+    </message>
+    <message>
+        <source>Give up the destination</source>
+        <translation>Das Ziel aufgeben</translation>
+    </message>
+    <message>
+        <source>Choose st&amp;art</source>
+        <translation>&amp;Start wählen</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>Say where the walk starts</source>
+        <translation>Sagen, wo die Begehung beginnt</translation>
+    </message>
+    <message>
+        <source>&amp;Record the walk</source>
+        <translation>Begehung auf&amp;nehmen</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>Aufnehmen</translation>
+    </message>
+    <message>
+        <source>Keep the next walk in a folder, to be replayed</source>
+        <translation>Die nächste Begehung in einem Ordner festhalten, um sie wiederzugeben</translation>
+    </message>
+    <message>
+        <source>&amp;Repeat</source>
+        <translation>&amp;Wiederholen</translation>
+    </message>
+    <message>
+        <source>Repeat</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>Say the last instruction again</source>
+        <translation>Die letzte Anweisung noch einmal sagen</translation>
+    </message>
+    <message>
+        <source>Voice o&amp;ff</source>
+        <translation>Stimme &amp;aus</translation>
+    </message>
+    <message>
+        <source>Voice off</source>
+        <translation>Stimme aus</translation>
+    </message>
+    <message>
+        <source>Show sentences without speaking them</source>
+        <translation>Sätze zeigen, ohne sie zu sprechen</translation>
+    </message>
+    <message>
+        <source>Wal&amp;k page</source>
+        <translation>Seite &amp;Begehung</translation>
+    </message>
+    <message>
+        <source>Walk</source>
+        <translation>Begehung</translation>
+    </message>
+    <message>
+        <source>Watch a walk</source>
+        <translation>Eine Begehung verfolgen</translation>
+    </message>
+    <message>
+        <source>&amp;Map page</source>
+        <translation>Seite &amp;Karte</translation>
+    </message>
+    <message>
+        <source>Look at the map of a building, check it and change it</source>
+        <translation>Die Karte eines Gebäudes ansehen, prüfen und ändern</translation>
+    </message>
+    <message>
+        <source>&amp;Whole floor</source>
+        <translation>&amp;Ganzes Stockwerk</translation>
+    </message>
+    <message>
+        <source>Whole floor</source>
+        <translation>Ganzes Stockwerk</translation>
+    </message>
+    <message>
+        <source>Show the whole floor</source>
+        <translation>Das ganze Stockwerk zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Larger map</source>
+        <translation>Karte g&amp;rößer</translation>
+    </message>
+    <message>
+        <source>Larger</source>
+        <translation>Größer</translation>
+    </message>
+    <message>
+        <source>Show the map larger</source>
+        <translation>Die Karte größer zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Smaller map</source>
+        <translation>Karte k&amp;leiner</translation>
+    </message>
+    <message>
+        <source>Smaller</source>
+        <translation>Kleiner</translation>
+    </message>
+    <message>
+        <source>Show the map smaller</source>
+        <translation>Die Karte kleiner zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Follow to other floors</source>
+        <translation>Auf andere Stockwerke &amp;folgen</translation>
+    </message>
+    <message>
+        <source>Follow</source>
+        <translation>Folgen</translation>
+    </message>
+    <message>
+        <source>Switch to the floor where you are</source>
+        <translation>Zum Stockwerk wechseln, auf dem Sie sind</translation>
+    </message>
+    <message>
+        <source>&amp;Grid over the picture</source>
+        <translation>Raster über dem Bil&amp;d</translation>
+    </message>
+    <message>
+        <source>Grid</source>
+        <translation>Raster</translation>
+    </message>
+    <message>
+        <source>Show the nine parts of the picture</source>
+        <translation>Die neun Teile des Bildes zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;What was not accepted</source>
+        <translation>&amp;Was nicht angenommen wurde</translation>
+    </message>
+    <message>
+        <source>Not accepted</source>
+        <translation>Nicht angenommen</translation>
+    </message>
+    <message>
+        <source>Show what was nearly recognised, and why not</source>
+        <translation>Zeigen, was fast erkannt wurde, und warum nicht</translation>
+    </message>
+    <message>
+        <source>&amp;Next part of the window</source>
+        <translation>&amp;Nächster Teil des Fensters</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Nächster</translation>
+    </message>
+    <message>
+        <source>Go to the next part of the window</source>
+        <translation>Zum nächsten Teil des Fensters gehen</translation>
+    </message>
+    <message>
+        <source>&amp;Previous part of the window</source>
+        <translation>&amp;Voriger Teil des Fensters</translation>
+    </message>
+    <message>
+        <source>Previous</source>
+        <translation>Voriger</translation>
+    </message>
+    <message>
+        <source>Go to the previous part of the window</source>
+        <translation>Zum vorigen Teil des Fensters gehen</translation>
+    </message>
+    <message>
+        <source>&amp;Keys</source>
+        <translation>&amp;Tasten</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Tasten</translation>
+    </message>
+    <message>
+        <source>Every key of this window</source>
+        <translation>Alle Tasten dieses Fensters</translation>
+    </message>
+    <message>
+        <source>&amp;About Farol</source>
+        <translation>&amp;Über Farol</translation>
+    </message>
+    <message>
+        <source>About</source>
+        <translation>Über</translation>
+    </message>
+    <message>
+        <source>What Farol is</source>
+        <translation>Was Farol ist</translation>
+    </message>
+    <message>
+        <source>&amp;Speed:</source>
+        <translation>&amp;Tempo:</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>How fast pictures from files are played</source>
+        <translation>Wie schnell Bilder aus Dateien abgespielt werden</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::Words</name>
+    <message>
+        <source>room</source>
+        <translation>Raum</translation>
+    </message>
+    <message>
+        <source>corridor</source>
+        <translation>Flur</translation>
+    </message>
+    <message>
+        <source>hall</source>
+        <translation>Halle</translation>
+    </message>
+    <message>
+        <source>stairwell</source>
+        <translation>Treppenhaus</translation>
+    </message>
+    <message>
+        <source>lift</source>
+        <translation>Aufzug</translation>
+    </message>
+    <message>
+        <source>toilet</source>
+        <translation>Toilette</translation>
+    </message>
+    <message>
+        <source>outside</source>
+        <translation>draußen</translation>
+    </message>
+    <message>
+        <source>place</source>
+        <translation>Ort</translation>
+    </message>
+    <message>
+        <source>door</source>
+        <translation>Tür</translation>
+    </message>
+    <message>
+        <source>opening</source>
+        <translation>Öffnung</translation>
+    </message>
+    <message>
+        <source>stairs</source>
+        <translation>Treppe</translation>
+    </message>
+    <message>
+        <source>escalator</source>
+        <translation>Rolltreppe</translation>
+    </message>
+    <message>
+        <source>ramp</source>
+        <translation>Rampe</translation>
+    </message>
+    <message>
+        <source>window</source>
+        <translation>Fenster</translation>
+    </message>
+    <message>
+        <source>passage</source>
+        <translation>Durchgang</translation>
+    </message>
+    <message>
+        <source>level %1</source>
+        <translation>Ebene %1</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>?</source>
+        <translation>?</translation>
+    </message>
+    <message>
+        <source>%1 between %2 and %3</source>
+        <translation>%1 zwischen %2 und %3</translation>
+    </message>
+    <message>
+        <source>%1 (closed)</source>
+        <translation>%1 (gesperrt)</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1: %2, in %3</source>
+        <translation>%1: %2, in %3</translation>
+    </message>
+    <message>
+        <source>waiting</source>
+        <translation>wartet</translation>
+    </message>
+    <message>
+        <source>speaking</source>
+        <translation>wird gesprochen</translation>
+    </message>
+    <message>
+        <source>spoken</source>
+        <translation>gesprochen</translation>
+    </message>
+    <message>
+        <source>interrupted</source>
+        <translation>unterbrochen</translation>
+    </message>
+    <message>
+        <source>too late</source>
+        <translation>zu spät</translation>
+    </message>
+    <message>
+        <source>shown</source>
+        <translation>gezeigt</translation>
+    </message>
+    <message>
+        <source>new route</source>
+        <translation>neuer Weg</translation>
+    </message>
+    <message>
+        <source>coming up</source>
+        <translation>kommt bald</translation>
+    </message>
+    <message>
+        <source>do it now</source>
+        <translation>jetzt zu tun</translation>
+    </message>
+    <message>
+        <source>keep going</source>
+        <translation>weitergehen</translation>
+    </message>
+    <message>
+        <source>arrived</source>
+        <translation>angekommen</translation>
+    </message>
+    <message>
+        <source>left the route</source>
+        <translation>Weg verlassen</translation>
+    </message>
+    <message>
+        <source>place not known</source>
+        <translation>Ort nicht bekannt</translation>
+    </message>
+    <message>
+        <source>place found</source>
+        <translation>Ort gefunden</translation>
+    </message>
+    <message>
+        <source>object seen</source>
+        <translation>Gegenstand gesehen</translation>
+    </message>
+    <message>
+        <source>text read</source>
+        <translation>Text gelesen</translation>
+    </message>
+    <message>
+        <source>no route</source>
+        <translation>kein Weg</translation>
+    </message>
+    <message>
+        <source>already there</source>
+        <translation>schon da</translation>
+    </message>
+    <message>
+        <source>asked for</source>
+        <translation>gefragt</translation>
+    </message>
+    <message>
+        <source>warning</source>
+        <translation>Warnung</translation>
+    </message>
+    <message>
+        <source>sure</source>
+        <translation>sicher</translation>
+    </message>
+    <message>
+        <source>fairly sure</source>
+        <translation>ziemlich sicher</translation>
+    </message>
+    <message>
+        <source>not sure</source>
+        <translation>nicht sicher</translation>
+    </message>
+    <message>
+        <source>too few points fit</source>
+        <translation>zu wenige Punkte passen</translation>
+    </message>
+    <message>
+        <source>outline folded</source>
+        <translation>Umriss gefaltet</translation>
+    </message>
+    <message>
+        <source>looks too different</source>
+        <translation>sieht zu anders aus</translation>
+    </message>
+    <message>
+        <source>objects</source>
+        <translation>Gegenstände</translation>
+    </message>
+    <message>
+        <source>best object</source>
+        <translation>bester Gegenstand</translation>
+    </message>
+    <message>
+        <source>near the last place</source>
+        <translation>nahe dem letzten Ort</translation>
+    </message>
+    <message>
+        <source>on the way</source>
+        <translation>auf dem Weg</translation>
+    </message>
+    <message>
+        <source>seen together</source>
+        <translation>zusammen gesehen</translation>
+    </message>
+    <message>
+        <source>weight of the place</source>
+        <translation>Gewicht des Ortes</translation>
+    </message>
+    <message>
+        <source>share seen here</source>
+        <translation>hier gesehener Anteil</translation>
+    </message>
+    <message>
+        <source>share seen next door</source>
+        <translation>nebenan gesehener Anteil</translation>
+    </message>
+    <message>
+        <source>vote</source>
+        <translation>Stimme</translation>
+    </message>
+</context>
+</TS>

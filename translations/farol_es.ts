@@ -1,0 +1,5311 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="es" sourcelanguage="en">
+<context>
+    <name>farol::Options</name>
+    <message>
+        <source>%1 needs a number above 0, not “%2”</source>
+        <translation>%1 necesita un número mayor que 0, no “%2”</translation>
+    </message>
+    <message>
+        <source>%1 needs a size such as 1280x800, not “%2”</source>
+        <translation>%1 necesita un tamaño como 1280x800, no “%2”</translation>
+    </message>
+    <message>
+        <source>“%1” is not known; see --help</source>
+        <translation>“%1” no se conoce; vea --help</translation>
+    </message>
+</context>
+<context>
+    <name>farol::espeak</name>
+    <message>
+        <source>The data of the voice are missing: install espeak-ng-data.</source>
+        <translation>Faltan los datos de la voz: instale espeak-ng-data.</translation>
+    </message>
+    <message>
+        <source>There is no sound device.</source>
+        <translation>No hay dispositivo de sonido.</translation>
+    </message>
+    <message>
+        <source>The sound device cannot play speech: choose another one.</source>
+        <translation>El dispositivo de sonido no puede reproducir voz: elija otro.</translation>
+    </message>
+    <message>
+        <source>The sound device does not start.</source>
+        <translation>El dispositivo de sonido no arranca.</translation>
+    </message>
+    <message>
+        <source>The sound device stopped in the middle of a text.</source>
+        <translation>El dispositivo de sonido se detuvo en medio de un texto.</translation>
+    </message>
+    <message>
+        <source>The voice cannot be loaded: choose another one.</source>
+        <translation>La voz no se puede cargar: elija otra.</translation>
+    </message>
+    <message>
+        <source>The text could not be turned into sound.</source>
+        <translation>El texto no se pudo convertir en sonido.</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::AccessDialog</name>
+    <message>
+        <source>Door or passage %1</source>
+        <translation>Puerta o paso %1</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Tipo</translation>
+    </message>
+    <message>
+        <source>What sort of passage it is</source>
+        <translation>Qué clase de paso es</translation>
+    </message>
+    <message>
+        <source>Type part of a name, room number or level, then choose</source>
+        <translation>Escriba parte de un nombre, número de sala o planta y elija</translation>
+    </message>
+    <message>
+        <source>One side</source>
+        <translation>Un lado</translation>
+    </message>
+    <message>
+        <source>Other side</source>
+        <translation>Otro lado</translation>
+    </message>
+    <message>
+        <source>both ways</source>
+        <translation>en ambos sentidos</translation>
+    </message>
+    <message>
+        <source>from the one side to the other only</source>
+        <translation>solo del primer lado al segundo</translation>
+    </message>
+    <message>
+        <source>from the other side to the one only</source>
+        <translation>solo del segundo lado al primero</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Sentido</translation>
+    </message>
+    <message>
+        <source>Which way one can pass</source>
+        <translation>En qué sentido se puede pasar</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Ancho</translation>
+    </message>
+    <message>
+        <source>How wide the door is</source>
+        <translation>Qué ancho tiene la puerta</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>desconocido</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Escalones</translation>
+    </message>
+    <message>
+        <source>How many steps the stairs have</source>
+        <translation>Cuántos escalones tienen las escaleras</translation>
+    </message>
+    <message>
+        <source>East</source>
+        <translation>Este</translation>
+    </message>
+    <message>
+        <source>Place on the map, metres to the east</source>
+        <translation>Lugar en el mapa, metros hacia el este</translation>
+    </message>
+    <message>
+        <source>North</source>
+        <translation>Norte</translation>
+    </message>
+    <message>
+        <source>Place on the map, metres to the north</source>
+        <translation>Lugar en el mapa, metros hacia el norte</translation>
+    </message>
+    <message>
+        <source>Closed</source>
+        <translation>Cerrado</translation>
+    </message>
+    <message>
+        <source>Nobody can pass</source>
+        <translation>Nadie puede pasar</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::Banner</name>
+    <message>
+        <source>Note</source>
+        <translation>Nota</translation>
+    </message>
+    <message>
+        <source>Attention</source>
+        <translation>Atención</translation>
+    </message>
+    <message>
+        <source>Problem</source>
+        <translation>Problema</translation>
+    </message>
+    <message>
+        <source>Close this message</source>
+        <translation>Cerrar este mensaje</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::DetectionModel</name>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>not accepted</source>
+        <translation>no aceptado</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Qué</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>Dónde</translation>
+    </message>
+    <message>
+        <source>Match</source>
+        <translation>Coincidencia</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::FeatureDialog</name>
+    <message>
+        <source>%1:</source>
+        <translation>%1:</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>desconocido</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::FeatureModel</name>
+    <message>
+        <source>Name</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Número</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Tipo</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Planta</translation>
+    </message>
+    <message>
+        <source>Area (m²)</source>
+        <translation>Superficie (m²)</translation>
+    </message>
+    <message>
+        <source>Doors</source>
+        <translation>Puertas</translation>
+    </message>
+    <message>
+        <source>Neighbours</source>
+        <translation>Vecinos</translation>
+    </message>
+    <message>
+        <source>Seen</source>
+        <translation>Puntos de referencia</translation>
+    </message>
+    <message>
+        <source>Restricted</source>
+        <translation>Restringido</translation>
+    </message>
+    <message>
+        <source>Id</source>
+        <translation>Identificador</translation>
+    </message>
+    <message>
+        <source>One side</source>
+        <translation>Un lado</translation>
+    </message>
+    <message>
+        <source>Other side</source>
+        <translation>Otro lado</translation>
+    </message>
+    <message>
+        <source>Width (m)</source>
+        <translation>Ancho (m)</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Escalones</translation>
+    </message>
+    <message>
+        <source>One way</source>
+        <translation>Sentido único</translation>
+    </message>
+    <message>
+        <source>Closed</source>
+        <translation>Cerrado</translation>
+    </message>
+    <message>
+        <source>Shaft</source>
+        <translation>Hueco</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Texto</translation>
+    </message>
+    <message>
+        <source>Region</source>
+        <translation>Región</translation>
+    </message>
+    <message>
+        <source>Faces (°)</source>
+        <translation>Orientación (°)</translation>
+    </message>
+    <message>
+        <source>Height (m)</source>
+        <translation>Altura (m)</translation>
+    </message>
+    <message>
+        <source>Wide (m)</source>
+        <translation>Ancho propio (m)</translation>
+    </message>
+    <message>
+        <source>Tall (m)</source>
+        <translation>Alto propio (m)</translation>
+    </message>
+    <message>
+        <source>Trained as</source>
+        <translation>Entrenado como</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>sí</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::FeaturePanel</name>
+    <message numerus="yes">
+        <source>%n row(s)</source>
+        <translation>
+            <numerusform>una fila</numerusform>
+            <numerusform>%n filas</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n row(s)</source>
+        <translation>
+            <numerusform>%1 de una fila</numerusform>
+            <numerusform>%1 de %n filas</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Regions</source>
+        <translation>Regiones</translation>
+    </message>
+    <message>
+        <source>Doors and passages</source>
+        <translation>Puertas y pasos</translation>
+    </message>
+    <message>
+        <source>Landmarks</source>
+        <translation>Puntos de referencia</translation>
+    </message>
+    <message>
+        <source>What the table lists</source>
+        <translation>Qué muestra la tabla</translation>
+    </message>
+    <message>
+        <source>Search the table</source>
+        <translation>Buscar en la tabla</translation>
+    </message>
+    <message>
+        <source>Rows that hold every word typed (Ctrl+F)</source>
+        <translation>Filas que contienen todas las palabras escritas (Ctrl+F)</translation>
+    </message>
+    <message>
+        <source>This level onl&amp;y</source>
+        <translation>Solo esta &amp;planta</translation>
+    </message>
+    <message>
+        <source>This level only</source>
+        <translation>Solo esta planta</translation>
+    </message>
+    <message>
+        <source>List only what is on the level that the plan shows</source>
+        <translation>Mostrar solo lo que está en la planta del plano</translation>
+    </message>
+    <message>
+        <source>Attributes</source>
+        <translation>Atributos</translation>
+    </message>
+    <message>
+        <source>Choose a row to see it on the plan; press Enter to change it</source>
+        <translation>Elija una fila para verla en el plano; pulse Intro para cambiarla</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::FindingModel</name>
+    <message>
+        <source>Error</source>
+        <translation>Error</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>Aviso</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Nota</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>y una más</numerusform>
+            <numerusform>y %n más</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Rule: %1</source>
+        <translation>Regla: %1</translation>
+    </message>
+    <message>
+        <source>What was found</source>
+        <translation>Qué se encontró</translation>
+    </message>
+    <message>
+        <source>Features</source>
+        <translation>Elementos</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::FloorModel</name>
+    <message>
+        <source>you are here</source>
+        <translation>usted está aquí</translation>
+    </message>
+    <message>
+        <source>destination</source>
+        <translation>destino</translation>
+    </message>
+    <message>
+        <source>%1 – %2</source>
+        <translation>%1 – %2</translation>
+    </message>
+    <message>
+        <source>closed</source>
+        <translation>cerrado</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Qué</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>Dónde</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::FramePanel</name>
+    <message>
+        <source>What the camera sees</source>
+        <translation>Qué ve la cámara</translation>
+    </message>
+    <message>
+        <source>Camera picture</source>
+        <translation>Imagen de la cámara</translation>
+    </message>
+    <message>
+        <source>The camera&apos;s picture, with what Farol recognised in it</source>
+        <translation>La imagen de la cámara, con lo que Farol ha reconocido en ella</translation>
+    </message>
+    <message>
+        <source>Picture %1 at %2</source>
+        <translation>Imagen %1 a las %2</translation>
+    </message>
+    <message>
+        <source>Picture %1 at %2 (%3)</source>
+        <translation>Imagen %1 a las %2 (%3)</translation>
+    </message>
+    <message>
+        <source>understood in %1 ms</source>
+        <translation>comprendida en %1 ms</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n left out because late</source>
+        <translation>
+            <numerusform>una omitida por tarde</numerusform>
+            <numerusform>%n omitidas por tarde</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n unreadable</source>
+        <translation>
+            <numerusform>una ilegible</numerusform>
+            <numerusform>%n ilegibles</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Time from the picture&apos;s arrival to the answer, and how many pictures had to be left out because Farol was still busy with an earlier one</source>
+        <translation>Tiempo desde la llegada de la imagen hasta la respuesta, y cuántas imágenes hubo que omitir porque Farol aún estaba ocupado con otra</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::FrameView</name>
+    <message>
+        <source>No picture yet</source>
+        <translation>Aún no hay imagen</translation>
+    </message>
+    <message>
+        <source>Nothing known is in the picture</source>
+        <translation>No hay nada conocido en la imagen</translation>
+    </message>
+    <message>
+        <source>In the picture: %1</source>
+        <translation>En la imagen: %1</translation>
+    </message>
+    <message>
+        <source>Spoken: %1</source>
+        <translation>Dicho: %1</translation>
+    </message>
+    <message>
+        <source>%1 · %2 %</source>
+        <translation>%1 · %2 %</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>No picture yet.
+Open a camera, a video or a folder of pictures, then press Play.</source>
+        <translation>Aún no hay imagen.
+Abra una cámara, un vídeo o una carpeta de imágenes y pulse Reproducir.</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::HistoryModel</name>
+    <message>
+        <source>What</source>
+        <translation>Qué</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>Dónde</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Hora</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::ImportDialog</name>
+    <message>
+        <source>Import a map</source>
+        <translation>Importar un mapa</translation>
+    </message>
+    <message>
+        <source>A file, a folder or a zip: IMDF, OpenStreetMap indoor, IndoorGML, per-floor Shapefiles, GeoJSON, GeoPackage, HULOP, WRLD. What is found wrong is told afterwards; nothing is written until you save.</source>
+        <translation>Un archivo, una carpeta o un zip: IMDF, OpenStreetMap de interiores, IndoorGML, Shapefiles por planta, GeoJSON, GeoPackage, HULOP, WRLD. Después se dice qué se encontró mal; no se escribe nada hasta que guarde.</translation>
+    </message>
+    <message>
+        <source>&amp;File…</source>
+        <translation>&amp;Archivo…</translation>
+    </message>
+    <message>
+        <source>Fol&amp;der…</source>
+        <translation>&amp;Carpeta…</translation>
+    </message>
+    <message>
+        <source>Choose a file</source>
+        <translation>Elegir un archivo</translation>
+    </message>
+    <message>
+        <source>Choose a folder</source>
+        <translation>Elegir una carpeta</translation>
+    </message>
+    <message>
+        <source>by its content</source>
+        <translation>por su contenido</translation>
+    </message>
+    <message>
+        <source>as the format has it</source>
+        <translation>como lo tiene el formato</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ninguno</translation>
+    </message>
+    <message>
+        <source>%1:</source>
+        <translation>%1:</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Mapa</translation>
+    </message>
+    <message>
+        <source>Path of the file, folder or zip</source>
+        <translation>Ruta del archivo, carpeta o zip</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Tipo</translation>
+    </message>
+    <message>
+        <source>Of which kind the map is</source>
+        <translation>De qué tipo es el mapa</translation>
+    </message>
+    <message>
+        <source>Language of names</source>
+        <translation>Idioma de los nombres</translation>
+    </message>
+    <message>
+        <source>Which of several names is taken, such as en or pt</source>
+        <translation>Cuál de varios nombres se toma, por ejemplo en o es</translation>
+    </message>
+    <message>
+        <source>Level stands in</source>
+        <translation>La planta está en</translation>
+    </message>
+    <message>
+        <source>Where the map leaves it open: filename, z, or the name of a column</source>
+        <translation>Donde el mapa no lo dice: filename, z o el nombre de una columna</translation>
+    </message>
+    <message>
+        <source>Profile</source>
+        <translation>Perfil</translation>
+    </message>
+    <message>
+        <source>A file with other names of columns and codes</source>
+        <translation>Un archivo con otros nombres de columnas y códigos</translation>
+    </message>
+    <message>
+        <source>&amp;Import</source>
+        <translation>&amp;Importar</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::InstructionPanel</name>
+    <message>
+        <source>No destination chosen: places are told, no route.</source>
+        <translation>No hay destino elegido: se dicen los lugares, sin ruta.</translation>
+    </message>
+    <message>
+        <source>The route follows as soon as it is known where you are.</source>
+        <translation>La ruta llega en cuanto se sepa dónde está.</translation>
+    </message>
+    <message>
+        <source>There is no way to the destination. %1</source>
+        <translation>No hay camino hasta el destino. %1</translation>
+    </message>
+    <message>
+        <source>At the destination.</source>
+        <translation>En el destino.</translation>
+    </message>
+    <message>
+        <source>On the way to %1</source>
+        <translation>De camino a %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more place(s) to pass</source>
+        <translation>
+            <numerusform>un lugar más por pasar</numerusform>
+            <numerusform>%n lugares más por pasar</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>next in %1 m</source>
+        <translation>siguiente en %1 m</translation>
+    </message>
+    <message>
+        <source>%1 m to go</source>
+        <translation>faltan %1 m</translation>
+    </message>
+    <message>
+        <source>Off the route</source>
+        <translation>Fuera de la ruta</translation>
+    </message>
+    <message>
+        <source>Next instruction</source>
+        <translation>Próxima instrucción</translation>
+    </message>
+    <message>
+        <source>Said at %1</source>
+        <translation>Dicho a las %1</translation>
+    </message>
+    <message>
+        <source>Open a map to begin.</source>
+        <translation>Abra un mapa para empezar.</translation>
+    </message>
+    <message>
+        <source>Ready. Press Play to start the walk.</source>
+        <translation>Listo. Pulse Reproducir para iniciar el recorrido.</translation>
+    </message>
+    <message>
+        <source>Looking around…</source>
+        <translation>Mirando alrededor…</translation>
+    </message>
+    <message>
+        <source>Next instruction: %1</source>
+        <translation>Próxima instrucción: %1</translation>
+    </message>
+    <message>
+        <source>No sound: %1</source>
+        <translation>Sin sonido: %1</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::KeysDialog</name>
+    <message>
+        <source>Keys</source>
+        <translation>Teclas</translation>
+    </message>
+    <message>
+        <source>Arrows</source>
+        <translation>Flechas</translation>
+    </message>
+    <message>
+        <source>In the map: move it</source>
+        <translation>En el mapa: moverlo</translation>
+    </message>
+    <message>
+        <source>In the map: larger, smaller, whole floor</source>
+        <translation>En el mapa: más grande, más pequeño, toda la planta</translation>
+    </message>
+    <message>
+        <source>Page Up, Page Down</source>
+        <translation>Re Pág, Av Pág</translation>
+    </message>
+    <message>
+        <source>In the map: the floor above, the floor below</source>
+        <translation>En el mapa: la planta de arriba, la de abajo</translation>
+    </message>
+    <message>
+        <source>Alt + Arrows</source>
+        <translation>Alt + flechas</translation>
+    </message>
+    <message>
+        <source>In the plan: move what is chosen by 10 cm, with Shift by 1 m</source>
+        <translation>En el plano: mover lo elegido 10 cm; con Mayús, 1 m</translation>
+    </message>
+    <message>
+        <source>Tab</source>
+        <translation>Tabulador</translation>
+    </message>
+    <message>
+        <source>The next button or list</source>
+        <translation>El siguiente botón o lista</translation>
+    </message>
+    <message>
+        <source>Key</source>
+        <translation>Tecla</translation>
+    </message>
+    <message>
+        <source>What it does</source>
+        <translation>Qué hace</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::Kiosk</name>
+    <message>
+        <source>No map was given (farol --kiosk --map FILE).</source>
+        <translation>No se ha indicado ningún mapa (farol --kiosk --map ARCHIVO).</translation>
+    </message>
+    <message>
+        <source>The landmarks cannot be loaded: I will hardly know where you are. Ask for help.</source>
+        <translation>No puedo cargar los puntos de referencia: apenas sabré dónde está. Pida ayuda.</translation>
+    </message>
+    <message>
+        <source>The destination cannot be kept for a restart: the folder cannot be written.</source>
+        <translation>El destino no se puede guardar para un reinicio: no se puede escribir en la carpeta.</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::KioskMachine</name>
+    <message>
+        <source>One moment.</source>
+        <translation>Un momento.</translation>
+    </message>
+    <message>
+        <source>Farol. I am opening the map.</source>
+        <translation>Farol. Estoy abriendo el mapa.</translation>
+    </message>
+    <message>
+        <source>The new map cannot be opened. I keep the old one.</source>
+        <translation>El mapa nuevo no se puede abrir. Me quedo con el anterior.</translation>
+    </message>
+    <message>
+        <source>Farol was interrupted and has started again.</source>
+        <translation>Farol se interrumpió y ha empezado de nuevo.</translation>
+    </message>
+    <message>
+        <source>You were last here: %1.</source>
+        <translation>Su última posición fue: %1.</translation>
+    </message>
+    <message>
+        <source>The camera works again.</source>
+        <translation>La cámara vuelve a funcionar.</translation>
+    </message>
+    <message>
+        <source>Stop, and turn slowly to the right, so that I can look around.</source>
+        <translation>Deténgase y gírese despacio hacia la derecha, para que pueda mirar alrededor.</translation>
+    </message>
+    <message>
+        <source>No destination is chosen yet. Choose one first.</source>
+        <translation>Aún no hay ningún destino elegido. Elija uno primero.</translation>
+    </message>
+    <message>
+        <source>This is the first place.</source>
+        <translation>Este es el primer lugar.</translation>
+    </message>
+    <message>
+        <source>This is the last place.</source>
+        <translation>Este es el último lugar.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n place(s). %2.</source>
+        <extracomment>%1 &quot;Rooms&quot;, %2 the first of them</extracomment>
+        <translation>
+            <numerusform>%1: un lugar. %2.</numerusform>
+            <numerusform>%1: %n lugares. %2.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Type part of a name or a number, then press Enter.</source>
+        <translation>Escriba parte de un nombre o un número y pulse Intro.</translation>
+    </message>
+    <message>
+        <source>space</source>
+        <translation>espacio</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n place(s).</source>
+        <comment>while typing</comment>
+        <extracomment>%1 the letter just typed</extracomment>
+        <translation>
+            <numerusform>%1: un lugar.</numerusform>
+            <numerusform>%1: %n lugares.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Nothing is typed.</source>
+        <translation>No hay nada escrito.</translation>
+    </message>
+    <message>
+        <source>Deleted: %1. %2</source>
+        <translation>Borrado: %1. %2</translation>
+    </message>
+    <message>
+        <source>%1 %2. Enter: go there. Arrow down: next.</source>
+        <translation>%1 %2. Intro: ir allí. Flecha abajo: siguiente.</translation>
+    </message>
+    <message>
+        <source>Nothing is chosen yet. Press arrow down to hear the places.</source>
+        <translation>Aún no hay nada elegido. Pulse flecha abajo para oír los lugares.</translation>
+    </message>
+    <message>
+        <source>I try the camera again.</source>
+        <translation>Pruebo la cámara otra vez.</translation>
+    </message>
+    <message>
+        <source>Going on. %1</source>
+        <translation>Continúo. %1</translation>
+    </message>
+    <message>
+        <source>This key does nothing. Escape: back.</source>
+        <translation>Esta tecla no hace nada. Escape: volver.</translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <extracomment>%1 a key, %2 what it does</extracomment>
+        <translation>%1: %2.</translation>
+    </message>
+    <message>
+        <source>Back to the kinds of places.</source>
+        <translation>Volver a los tipos de lugares.</translation>
+    </message>
+    <message>
+        <source>Leave Farol.</source>
+        <translation>Salir de Farol.</translation>
+    </message>
+    <message>
+        <source>Start.</source>
+        <translation>Empezar.</translation>
+    </message>
+    <message>
+        <source>Hear the whole way.</source>
+        <translation>Oír todo el camino.</translation>
+    </message>
+    <message>
+        <source>Another place.</source>
+        <translation>Otro lugar.</translation>
+    </message>
+    <message>
+        <source>Try the camera again.</source>
+        <translation>Probar la cámara otra vez.</translation>
+    </message>
+    <message>
+        <source>Stop the guidance.</source>
+        <translation>Detener la guía.</translation>
+    </message>
+    <message>
+        <source>Choose another place.</source>
+        <translation>Elegir otro lugar.</translation>
+    </message>
+    <message>
+        <source>Yes, stop.</source>
+        <translation>Sí, detener.</translation>
+    </message>
+    <message>
+        <source>No, go on.</source>
+        <translation>No, continuar.</translation>
+    </message>
+    <message>
+        <source>Yes, leave.</source>
+        <translation>Sí, salir.</translation>
+    </message>
+    <message>
+        <source>No, stay.</source>
+        <translation>No, quedarse.</translation>
+    </message>
+    <message>
+        <source>Press space to hear what there is, then Enter.</source>
+        <translation>Pulse espacio para oír lo que hay y después Intro.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n place(s). Space: first place.</source>
+        <translation>
+            <numerusform>%1: un lugar. Espacio: primer lugar.</numerusform>
+            <numerusform>%1: %n lugares. Espacio: primer lugar.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1. %2 of %3.</source>
+        <extracomment>%1 a place, then which of how many</extracomment>
+        <translation>%1. %2 de %3.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Choose a destination: %n place(s).</source>
+        <translation>
+            <numerusform>Elija un destino: un lugar.</numerusform>
+            <numerusform>Elija un destino: %n lugares.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Space: next. Enter: take it.</source>
+        <translation>Espacio: siguiente. Intro: elegir.</translation>
+    </message>
+    <message>
+        <source>Arrow down: first place. F: type a name. F1: all keys.</source>
+        <translation>Flecha abajo: primer lugar. F: escribir un nombre. F1: todas las teclas.</translation>
+    </message>
+    <message>
+        <source>To: %1.</source>
+        <translation>Destino: %1.</translation>
+    </message>
+    <message>
+        <source>I do not know yet where you are, and look for it on the way.</source>
+        <translation>Aún no sé dónde está; lo averiguaré por el camino.</translation>
+    </message>
+    <message>
+        <source>Space: choices.</source>
+        <translation>Espacio: opciones.</translation>
+    </message>
+    <message>
+        <source>Enter: start. L: the whole way. Escape: another place.</source>
+        <translation>Intro: empezar. L: todo el camino. Escape: otro lugar.</translation>
+    </message>
+    <message>
+        <source>Stop the guidance?</source>
+        <translation>¿Detener la guía?</translation>
+    </message>
+    <message>
+        <source>Leave Farol?</source>
+        <translation>¿Salir de Farol?</translation>
+    </message>
+    <message>
+        <source>Enter or Escape: yes. Any other key: no.</source>
+        <translation>Intro o Escape: sí. Cualquier otra tecla: no.</translation>
+    </message>
+    <message>
+        <source>No camera is set up, and I cannot guide you. Ask for help.</source>
+        <translation>No hay ninguna cámara configurada y no puedo guiarle. Pida ayuda.</translation>
+    </message>
+    <message>
+        <source>The camera is starting.</source>
+        <translation>La cámara se está iniciando.</translation>
+    </message>
+    <message>
+        <source>Stop. The camera gives no pictures, and I cannot guide you. Enter: try again.</source>
+        <translation>Deténgase. La cámara no da imágenes y no puedo guiarle. Intro: probar otra vez.</translation>
+    </message>
+    <message>
+        <source>The camera gives no pictures. I try it again when you start.</source>
+        <translation>La cámara no da imágenes. La probaré otra vez cuando empiece.</translation>
+    </message>
+    <message>
+        <source>No place fits: %1. Delete letters, or press Escape.</source>
+        <translation>Ningún lugar coincide: %1. Borre letras o pulse Escape.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n place(s) fit: %1.</source>
+        <translation>
+            <numerusform>Coincide un lugar: %1.</numerusform>
+            <numerusform>Coinciden %n lugares: %1.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>This map has no places to go to. Ask for help.</source>
+        <translation>Este mapa no tiene lugares a los que ir. Pida ayuda.</translation>
+    </message>
+    <message>
+        <source>The map cannot be opened. Ask for help.</source>
+        <translation>El mapa no se puede abrir. Pida ayuda.</translation>
+    </message>
+    <message>
+        <source>The map is being opened. Please wait.</source>
+        <translation>El mapa se está abriendo. Espere, por favor.</translation>
+    </message>
+    <message>
+        <source>On the way to: %1.</source>
+        <translation>De camino a: %1.</translation>
+    </message>
+    <message>
+        <source>You have arrived: %1. Enter: another destination.</source>
+        <translation>Ha llegado: %1. Intro: otro destino.</translation>
+    </message>
+    <message>
+        <source>Goodbye.</source>
+        <translation>Adiós.</translation>
+    </message>
+    <message>
+        <source>Quiet: I tell only warnings and what you ask. M: speak again.</source>
+        <translation>Silencio: solo digo avisos y lo que pregunte. M: volver a hablar.</translation>
+    </message>
+    <message>
+        <source>I tell everything again.</source>
+        <translation>Vuelvo a decirlo todo.</translation>
+    </message>
+    <message>
+        <source>Speed %1 of %2.</source>
+        <translation>Velocidad %1 de %2.</translation>
+    </message>
+    <message>
+        <source>I speak English now.</source>
+        <translation>Ahora hablo español.</translation>
+    </message>
+    <message>
+        <source>Two keys: space goes through the choices, Enter takes one. F4: all keys again.</source>
+        <translation>Dos teclas: espacio recorre las opciones, Intro elige una. F4: otra vez todas las teclas.</translation>
+    </message>
+    <message>
+        <source>All keys are in use again.</source>
+        <translation>Todas las teclas vuelven a funcionar.</translation>
+    </message>
+    <message>
+        <source>Farol</source>
+        <translation>Farol</translation>
+    </message>
+    <message>
+        <source>Where to? %1</source>
+        <translation>¿Adónde? %1</translation>
+    </message>
+    <message>
+        <source>Search: %1</source>
+        <translation>Búsqueda: %1</translation>
+    </message>
+    <message>
+        <source>The way to %1</source>
+        <translation>Camino a: %1</translation>
+    </message>
+    <message>
+        <source>Walking to %1</source>
+        <translation>De camino a: %1</translation>
+    </message>
+    <message>
+        <source>Arrived</source>
+        <translation>Ha llegado</translation>
+    </message>
+    <message>
+        <source>Stop?</source>
+        <translation>¿Detener?</translation>
+    </message>
+    <message>
+        <source>Leave?</source>
+        <translation>¿Salir?</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Teclas</translation>
+    </message>
+    <message>
+        <source>Goodbye</source>
+        <translation>Adiós</translation>
+    </message>
+    <message>
+        <source>Space: next   Enter: take   F4: all keys</source>
+        <translation>Espacio: siguiente   Intro: elegir   F4: teclas</translation>
+    </message>
+    <message>
+        <source>Arrows: places   Enter: go   F: search   F1: keys</source>
+        <translation>Flechas: lugares   Intro: ir   F: buscar   F1: teclas</translation>
+    </message>
+    <message>
+        <source>Enter: done   Esc: back</source>
+        <translation>Intro: hecho   Esc: volver</translation>
+    </message>
+    <message>
+        <source>Enter: start   L: whole way   Esc: back</source>
+        <translation>Intro: empezar   L: todo el camino   Esc: volver</translation>
+    </message>
+    <message>
+        <source>Space: again   W: where am I   Esc: stop</source>
+        <translation>Espacio: repetir   W: dónde estoy   Esc: detener</translation>
+    </message>
+    <message>
+        <source>Enter: another destination</source>
+        <translation>Intro: otro destino</translation>
+    </message>
+    <message>
+        <source>Enter: yes   any other key: no</source>
+        <translation>Intro: sí   otra tecla: no</translation>
+    </message>
+    <message>
+        <source>Esc: back   F1: number pad</source>
+        <translation>Esc: volver   F1: teclado numérico</translation>
+    </message>
+    <message>
+        <source>Esc: leave   F1: keys</source>
+        <translation>Esc: salir   F1: teclas</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::KioskPage</name>
+    <message>
+        <source>Farol</source>
+        <translation>Farol</translation>
+    </message>
+    <message>
+        <source>Farol, guidance</source>
+        <translation>Farol, guía</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::KioskPlaces</name>
+    <message>
+        <source>All places</source>
+        <translation>Todos los lugares</translation>
+    </message>
+    <message>
+        <source>Rooms</source>
+        <translation>Salas</translation>
+    </message>
+    <message>
+        <source>Toilets</source>
+        <translation>Aseos</translation>
+    </message>
+    <message>
+        <source>Halls</source>
+        <translation>Vestíbulos</translation>
+    </message>
+    <message>
+        <source>Corridors</source>
+        <translation>Pasillos</translation>
+    </message>
+    <message>
+        <source>Lifts</source>
+        <translation>Ascensores</translation>
+    </message>
+    <message>
+        <source>Stairs</source>
+        <translation>Escaleras</translation>
+    </message>
+    <message>
+        <source>Ways out</source>
+        <translation>Salidas</translation>
+    </message>
+    <message>
+        <source>Other places</source>
+        <translation>Otros lugares</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::KioskWords</name>
+    <message>
+        <source>Arrow up</source>
+        <translation>Flecha arriba</translation>
+    </message>
+    <message>
+        <source>Arrow down</source>
+        <translation>Flecha abajo</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Inicio</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Fin</translation>
+    </message>
+    <message>
+        <source>Arrow left</source>
+        <translation>Flecha izquierda</translation>
+    </message>
+    <message>
+        <source>Arrow right</source>
+        <translation>Flecha derecha</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Intro</translation>
+    </message>
+    <message>
+        <source>Escape</source>
+        <translation>Tecla Escape</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Espacio</translation>
+    </message>
+    <message>
+        <source>Plus</source>
+        <translation>Más</translation>
+    </message>
+    <message>
+        <source>Minus</source>
+        <translation>Menos</translation>
+    </message>
+    <message>
+        <source>the place before</source>
+        <translation>el lugar anterior</translation>
+    </message>
+    <message>
+        <source>the next place</source>
+        <translation>el lugar siguiente</translation>
+    </message>
+    <message>
+        <source>the first place</source>
+        <translation>el primer lugar</translation>
+    </message>
+    <message>
+        <source>the last place</source>
+        <translation>el último lugar</translation>
+    </message>
+    <message>
+        <source>another kind of places, back</source>
+        <translation>otro tipo de lugares, hacia atrás</translation>
+    </message>
+    <message>
+        <source>another kind of places, on</source>
+        <translation>otro tipo de lugares, hacia delante</translation>
+    </message>
+    <message>
+        <source>choose, start</source>
+        <translation>elegir, empezar</translation>
+    </message>
+    <message>
+        <source>back; hold it down to leave</source>
+        <translation>volver; manténgala pulsada para salir</translation>
+    </message>
+    <message>
+        <source>say again</source>
+        <translation>repetir</translation>
+    </message>
+    <message>
+        <source>where am I</source>
+        <translation>dónde estoy</translation>
+    </message>
+    <message>
+        <source>what is around me</source>
+        <translation>qué hay a mi alrededor</translation>
+    </message>
+    <message>
+        <source>what comes next</source>
+        <translation>qué viene después</translation>
+    </message>
+    <message>
+        <source>the whole way</source>
+        <translation>todo el camino</translation>
+    </message>
+    <message>
+        <source>look around</source>
+        <translation>mirar alrededor</translation>
+    </message>
+    <message>
+        <source>quiet, or speak again</source>
+        <translation>silencio, o volver a hablar</translation>
+    </message>
+    <message>
+        <source>speak faster</source>
+        <translation>hablar más deprisa</translation>
+    </message>
+    <message>
+        <source>speak slower</source>
+        <translation>hablar más despacio</translation>
+    </message>
+    <message>
+        <source>how much I tell</source>
+        <translation>cuánto digo</translation>
+    </message>
+    <message>
+        <source>how I tell directions</source>
+        <translation>cómo digo las direcciones</translation>
+    </message>
+    <message>
+        <source>metres, feet or steps</source>
+        <translation>metros, pies o pasos</translation>
+    </message>
+    <message>
+        <source>search a place by typing</source>
+        <translation>buscar un lugar escribiendo</translation>
+    </message>
+    <message>
+        <source>the keys</source>
+        <translation>las teclas</translation>
+    </message>
+    <message>
+        <source>everything with two keys</source>
+        <translation>todo con dos teclas</translation>
+    </message>
+    <message>
+        <source>Keys. Press one to hear what it does; F1: number pad; Escape: back.</source>
+        <translation>Teclas. Pulse una para oír lo que hace; F1: teclado numérico; Escape: volver.</translation>
+    </message>
+    <message>
+        <source>Number pad. 8 and 2: up and down. 4 and 6: left and right. 5 or Enter: choose. 0: say again. 1: where am I. 3: around me. 7: what comes next. 9: the whole way. Plus and minus: speed. Star: keys. Slash: quiet. Point: back.</source>
+        <translation>Teclado numérico. 8 y 2: arriba y abajo. 4 y 6: izquierda y derecha. 5 o Intro: elegir. 0: repetir. 1: dónde estoy. 3: qué hay alrededor. 7: qué viene después. 9: todo el camino. Más y menos: velocidad. Asterisco: teclas. Barra: silencio. Punto: volver.</translation>
+    </message>
+    <message>
+        <source>This key does nothing here. F1: all keys.</source>
+        <translation>Esta tecla no hace nada aquí. F1: todas las teclas.</translation>
+    </message>
+    <message>
+        <source>I tell directions only.</source>
+        <translation>Solo digo las direcciones.</translation>
+    </message>
+    <message>
+        <source>I tell directions and objects.</source>
+        <translation>Digo direcciones y objetos.</translation>
+    </message>
+    <message>
+        <source>I tell directions, objects and texts.</source>
+        <translation>Digo direcciones, objetos y textos.</translation>
+    </message>
+    <message>
+        <source>Directions as left and right.</source>
+        <translation>Direcciones como izquierda y derecha.</translation>
+    </message>
+    <message>
+        <source>Directions as on a clock.</source>
+        <translation>Direcciones como en un reloj.</translation>
+    </message>
+    <message>
+        <source>Directions in degrees.</source>
+        <translation>Direcciones en grados.</translation>
+    </message>
+    <message>
+        <source>Distances in metres.</source>
+        <translation>Distancias en metros.</translation>
+    </message>
+    <message>
+        <source>Distances in feet.</source>
+        <translation>Distancias en pies.</translation>
+    </message>
+    <message>
+        <source>Distances in steps.</source>
+        <translation>Distancias en pasos.</translation>
+    </message>
+    <message>
+        <source>another language</source>
+        <translation>otro idioma</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::LandmarkDialog</name>
+    <message>
+        <source>Landmark %1</source>
+        <translation>Punto de referencia %1</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Tipo</translation>
+    </message>
+    <message>
+        <source>What it is</source>
+        <translation>Qué es</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Texto</translation>
+    </message>
+    <message>
+        <source>What can be read on it</source>
+        <translation>Qué se puede leer en él</translation>
+    </message>
+    <message>
+        <source>Trained as</source>
+        <translation>Entrenado como</translation>
+    </message>
+    <message>
+        <source>The name under which its appearance was trained</source>
+        <translation>El nombre con que se entrenó su aspecto</translation>
+    </message>
+    <message>
+        <source>any</source>
+        <translation>cualquiera</translation>
+    </message>
+    <message>
+        <source>Faces</source>
+        <translation>Orientación</translation>
+    </message>
+    <message>
+        <source>The way it faces: 0 is east, 90 north, 180 west, 270 south</source>
+        <translation>Hacia dónde mira: 0 es este, 90 norte, 180 oeste, 270 sur</translation>
+    </message>
+    <message>
+        <source>Height above the floor</source>
+        <translation>Altura sobre el suelo</translation>
+    </message>
+    <message>
+        <source>Of its middle</source>
+        <translation>De su centro</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Ancho</translation>
+    </message>
+    <message>
+        <source>How wide it is: its distance is told from that</source>
+        <translation>Qué ancho tiene: de ello se deduce su distancia</translation>
+    </message>
+    <message>
+        <source>Its own height</source>
+        <translation>Su propia altura</translation>
+    </message>
+    <message>
+        <source>How tall it is</source>
+        <translation>Qué alto es</translation>
+    </message>
+    <message>
+        <source>East</source>
+        <translation>Este</translation>
+    </message>
+    <message>
+        <source>Place on the map, metres to the east</source>
+        <translation>Lugar en el mapa, metros hacia el este</translation>
+    </message>
+    <message>
+        <source>North</source>
+        <translation>Norte</translation>
+    </message>
+    <message>
+        <source>Place on the map, metres to the north</source>
+        <translation>Lugar en el mapa, metros hacia el norte</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::LivePage</name>
+    <message>
+        <source>What was said</source>
+        <translation>Lo que se dijo</translation>
+    </message>
+    <message>
+        <source>Where it could be</source>
+        <translation>Dónde podría estar</translation>
+    </message>
+    <message>
+        <source>Every sentence, when it was due, and what became of it</source>
+        <translation>Cada frase, cuándo tocaba y qué fue de ella</translation>
+    </message>
+    <message>
+        <source>The places that fit what was seen, best first</source>
+        <translation>Los lugares que encajan con lo visto, el mejor primero</translation>
+    </message>
+    <message>
+        <source>Last seen</source>
+        <translation>Visto por última vez</translation>
+    </message>
+    <message>
+        <source>The last objects that the place is worked out from</source>
+        <translation>Los últimos objetos de los que se deduce el lugar</translation>
+    </message>
+    <message>
+        <source>In the picture</source>
+        <translation>En la imagen</translation>
+    </message>
+    <message>
+        <source>Everything recognised in the picture shown</source>
+        <translation>Todo lo reconocido en la imagen mostrada</translation>
+    </message>
+    <message>
+        <source>On this floor</source>
+        <translation>En esta planta</translation>
+    </message>
+    <message>
+        <source>The map as a list; press Enter on a place to go there</source>
+        <translation>El mapa como lista; pulse Intro en un lugar para ir allí</translation>
+    </message>
+    <message>
+        <source>Lists</source>
+        <translation>Listas</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::MainWindow</name>
+    <message>
+        <source>About Farol</source>
+        <translation>Acerca de Farol</translation>
+    </message>
+    <message>
+        <source>Farol %1
+
+Guides a blind person through a building with one ordinary camera: it recognises what it was taught, works out the place, and speaks the way.</source>
+        <translation>Farol %1
+
+Guía a una persona ciega por un edificio con una cámara corriente: reconoce lo que se le enseñó, deduce el lugar y dice el camino.</translation>
+    </message>
+    <message>
+        <source>Ready</source>
+        <translation>Listo</translation>
+    </message>
+    <message>
+        <source>Walking</source>
+        <translation>En recorrido</translation>
+    </message>
+    <message>
+        <source>Held</source>
+        <translation>En pausa</translation>
+    </message>
+    <message>
+        <source>The walk has ended</source>
+        <translation>El recorrido ha terminado</translation>
+    </message>
+    <message>
+        <source>The walk could not go on</source>
+        <translation>El recorrido no pudo continuar</translation>
+    </message>
+    <message>
+        <source>Loading…</source>
+        <translation>Cargando…</translation>
+    </message>
+    <message>
+        <source>recorded in %1</source>
+        <translation>grabado en %1</translation>
+    </message>
+    <message>
+        <source>The walk has ended: there are no more pictures.</source>
+        <translation>El recorrido ha terminado: no hay más imágenes.</translation>
+    </message>
+    <message>
+        <source>Play &amp;again</source>
+        <translation>Reproducir &amp;otra vez</translation>
+    </message>
+    <message>
+        <source>Open another &amp;map…</source>
+        <translation>Abrir otro &amp;mapa…</translation>
+    </message>
+    <message>
+        <source>Open another &amp;library…</source>
+        <translation>Abrir otra &amp;biblioteca…</translation>
+    </message>
+    <message>
+        <source>Open other &amp;pictures…</source>
+        <translation>Abrir otras &amp;imágenes…</translation>
+    </message>
+    <message>
+        <source>The walk will be recorded from its next start.</source>
+        <translation>El recorrido se grabará desde su próximo inicio.</translation>
+    </message>
+    <message>
+        <source>This walk is recorded to its end; the next one is not.</source>
+        <translation>Este recorrido se graba hasta su fin; el próximo no.</translation>
+    </message>
+    <message>
+        <source>Start &amp;again now</source>
+        <translation>Empezar ahora de &amp;nuevo</translation>
+    </message>
+    <message>
+        <source>Open a map</source>
+        <translation>Abrir un mapa</translation>
+    </message>
+    <message>
+        <source>Maps (%1);;All files (%2)</source>
+        <translation>Mapas (%1);;Todos los archivos (%2)</translation>
+    </message>
+    <message>
+        <source>Open a landmark library</source>
+        <translation>Abrir una biblioteca de puntos de referencia</translation>
+    </message>
+    <message>
+        <source>Landmark libraries (%1);;All files (%2)</source>
+        <translation>Bibliotecas de puntos de referencia (%1);;Todos los archivos (%2)</translation>
+    </message>
+    <message>
+        <source>Farol</source>
+        <translation>Farol</translation>
+    </message>
+    <message>
+        <source>%1 – Farol</source>
+        <translation>%1 – Farol</translation>
+    </message>
+    <message>
+        <source>Walk</source>
+        <translation>Recorrido</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Mapa</translation>
+    </message>
+    <message>
+        <source>Pages</source>
+        <translation>Páginas</translation>
+    </message>
+    <message>
+        <source>Watch a walk, or work on a map (Ctrl+1, Ctrl+2)</source>
+        <translation>Observar un recorrido o trabajar en un mapa (Ctrl+1, Ctrl+2)</translation>
+    </message>
+    <message>
+        <source>State of the walk</source>
+        <translation>Estado del recorrido</translation>
+    </message>
+    <message>
+        <source>Something is being loaded</source>
+        <translation>Se está cargando algo</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::MapActions</name>
+    <message>
+        <source>&amp;Map</source>
+        <translation>&amp;Mapa</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Mapa</translation>
+    </message>
+    <message>
+        <source>&amp;Open map…</source>
+        <translation>&amp;Abrir mapa…</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Abrir</translation>
+    </message>
+    <message>
+        <source>Open the map of a building to look at it and change it</source>
+        <translation>Abrir el mapa de un edificio para verlo y cambiarlo</translation>
+    </message>
+    <message>
+        <source>&amp;Import…</source>
+        <translation>&amp;Importar…</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importar</translation>
+    </message>
+    <message>
+        <source>Bring in a map of another kind</source>
+        <translation>Traer un mapa de otro tipo</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Guardar</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Guardar</translation>
+    </message>
+    <message>
+        <source>Write the changes into the map&apos;s file</source>
+        <translation>Escribir los cambios en el archivo del mapa</translation>
+    </message>
+    <message>
+        <source>S&amp;ave as…</source>
+        <translation>G&amp;uardar como…</translation>
+    </message>
+    <message>
+        <source>Save as</source>
+        <translation>Guardar como</translation>
+    </message>
+    <message>
+        <source>Write the map into another file</source>
+        <translation>Escribir el mapa en otro archivo</translation>
+    </message>
+    <message>
+        <source>&amp;Print as PDF…</source>
+        <translation>Im&amp;primir como PDF…</translation>
+    </message>
+    <message>
+        <source>PDF</source>
+        <translation>PDF</translation>
+    </message>
+    <message>
+        <source>Write the plan of each level as a page of a PDF</source>
+        <translation>Escribir el plano de cada planta como página de un PDF</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Deshacer</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Deshacer</translation>
+    </message>
+    <message>
+        <source>Take back the last change</source>
+        <translation>Retirar el último cambio</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Rehacer</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Rehacer</translation>
+    </message>
+    <message>
+        <source>Make the change again that was taken back</source>
+        <translation>Volver a hacer el cambio retirado</translation>
+    </message>
+    <message>
+        <source>Add &amp;landmark</source>
+        <translation>Añadir punto de re&amp;ferencia</translation>
+    </message>
+    <message>
+        <source>Landmark</source>
+        <translation>Punto de referencia</translation>
+    </message>
+    <message>
+        <source>Put a new landmark on the plan</source>
+        <translation>Poner un nuevo punto de referencia en el plano</translation>
+    </message>
+    <message>
+        <source>Add &amp;door or passage</source>
+        <translation>Añadir puer&amp;ta o paso</translation>
+    </message>
+    <message>
+        <source>Door</source>
+        <translation>Puerta</translation>
+    </message>
+    <message>
+        <source>Put a new door or passage on the plan</source>
+        <translation>Poner una nueva puerta o paso en el plano</translation>
+    </message>
+    <message>
+        <source>&amp;Change…</source>
+        <translation>&amp;Cambiar…</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Cambiar</translation>
+    </message>
+    <message>
+        <source>Change name, kind and the like of what is chosen</source>
+        <translation>Cambiar nombre, tipo y demás de lo elegido</translation>
+    </message>
+    <message>
+        <source>D&amp;elete</source>
+        <translation>&amp;Eliminar</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Eliminar</translation>
+    </message>
+    <message>
+        <source>Take the chosen landmark, door or passage off the map</source>
+        <translation>Quitar del mapa el punto de referencia, puerta o paso elegido</translation>
+    </message>
+    <message>
+        <source>Route &amp;from here</source>
+        <translation>Ruta desde a&amp;quí</translation>
+    </message>
+    <message>
+        <source>From here</source>
+        <translation>Desde aquí</translation>
+    </message>
+    <message>
+        <source>Let the route begin in the chosen place</source>
+        <translation>Que la ruta empiece en el lugar elegido</translation>
+    </message>
+    <message>
+        <source>Route &amp;to here</source>
+        <translation>Ruta &amp;hasta aquí</translation>
+    </message>
+    <message>
+        <source>To here</source>
+        <translation>Hasta aquí</translation>
+    </message>
+    <message>
+        <source>Let the route end in the chosen place</source>
+        <translation>Que la ruta termine en el lugar elegido</translation>
+    </message>
+    <message>
+        <source>Sea&amp;rch the table</source>
+        <translation>&amp;Buscar en la tabla</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Buscar</translation>
+    </message>
+    <message>
+        <source>Search the table of attributes</source>
+        <translation>Buscar en la tabla de atributos</translation>
+    </message>
+    <message>
+        <source>C&amp;heck the map</source>
+        <translation>C&amp;omprobar el mapa</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>Comprobar</translation>
+    </message>
+    <message>
+        <source>Look for what is wrong with the map as it is now</source>
+        <translation>Buscar qué está mal en el mapa tal como está</translation>
+    </message>
+    <message>
+        <source>&amp;Next feature</source>
+        <translation>E&amp;lemento siguiente</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Siguiente</translation>
+    </message>
+    <message>
+        <source>Show the next feature of the chosen finding</source>
+        <translation>Mostrar el elemento siguiente del hallazgo elegido</translation>
+    </message>
+    <message>
+        <source>Places that look ali&amp;ke</source>
+        <translation>Lugares que &amp;se parecen</translation>
+    </message>
+    <message>
+        <source>Alike</source>
+        <translation>Parecidos</translation>
+    </message>
+    <message>
+        <source>Mark the places that the landmarks cannot tell apart, and those without any</source>
+        <translation>Marcar los lugares que los puntos de referencia no distinguen y los que no tienen ninguno</translation>
+    </message>
+    <message>
+        <source>&amp;Walk with this map</source>
+        <translation>Recorrer co&amp;n este mapa</translation>
+    </message>
+    <message>
+        <source>Walk</source>
+        <translation>Recorrido</translation>
+    </message>
+    <message>
+        <source>Use the saved map on the Walk page</source>
+        <translation>Usar el mapa guardado en la página Recorrido</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::MapPage</name>
+    <message>
+        <source>Saved in %1</source>
+        <translation>Guardado en %1</translation>
+    </message>
+    <message>
+        <source>Open a map</source>
+        <translation>Abrir un mapa</translation>
+    </message>
+    <message>
+        <source>Maps (%1);;All files (%2)</source>
+        <translation>Mapas (%1);;Todos los archivos (%2)</translation>
+    </message>
+    <message>
+        <source>Save the map</source>
+        <translation>Guardar el mapa</translation>
+    </message>
+    <message>
+        <source>Maps (%1)</source>
+        <translation>Mapas (%1)</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Cambios sin guardar</translation>
+    </message>
+    <message>
+        <source>The map has changes that are not saved.</source>
+        <translation>El mapa tiene cambios que no están guardados.</translation>
+    </message>
+    <message>
+        <source>Save them first?</source>
+        <translation>¿Guardarlos antes?</translation>
+    </message>
+    <message>
+        <source>Imported from %1. Look at what was found, then save it as a map of Farol.</source>
+        <translation>Importado de %1. Vea lo que se encontró y guárdelo como mapa de Farol.</translation>
+    </message>
+    <message>
+        <source>Sa&amp;ve…</source>
+        <translation>&amp;Guardar…</translation>
+    </message>
+    <message>
+        <source>The map is being opened…</source>
+        <translation>Se está abriendo el mapa…</translation>
+    </message>
+    <message>
+        <source>The map is being imported and checked…</source>
+        <translation>Se está importando y comprobando el mapa…</translation>
+    </message>
+    <message>
+        <source>The map is being saved…</source>
+        <translation>Se está guardando el mapa…</translation>
+    </message>
+    <message>
+        <source>The map is being checked…</source>
+        <translation>Se está comprobando el mapa…</translation>
+    </message>
+    <message>
+        <source>Table</source>
+        <translation>Tabla</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>Comprobación</translation>
+    </message>
+    <message>
+        <source>Route</source>
+        <translation>Ruta</translation>
+    </message>
+    <message>
+        <source>Parts of the map</source>
+        <translation>Partes del mapa</translation>
+    </message>
+    <message>
+        <source>Ca&amp;ncel</source>
+        <translation>Ca&amp;ncelar</translation>
+    </message>
+    <message>
+        <source>Give up; the map that was open stays</source>
+        <translation>Renunciar; se queda el mapa que estaba abierto</translation>
+    </message>
+    <message>
+        <source>Click where the landmark stands, or move the plan under the cross with the arrows and press Enter. Escape gives up.</source>
+        <translation>Pulse donde está el punto de referencia, o mueva el plano bajo la cruz con las flechas y pulse Intro. Escape lo cancela.</translation>
+    </message>
+    <message>
+        <source>Click where the door is, or move the plan under the cross with the arrows and press Enter. Escape gives up.</source>
+        <translation>Pulse donde está la puerta, o mueva el plano bajo la cruz con las flechas y pulse Intro. Escape lo cancela.</translation>
+    </message>
+    <message>
+        <source>Add a landmark</source>
+        <translation>Añadir un punto de referencia</translation>
+    </message>
+    <message>
+        <source>Add a door</source>
+        <translation>Añadir una puerta</translation>
+    </message>
+    <message>
+        <source>Change %1</source>
+        <translation>Cambiar %1</translation>
+    </message>
+    <message>
+        <source>Delete %1</source>
+        <translation>Eliminar %1</translation>
+    </message>
+    <message>
+        <source>Deleted: %1. Ctrl+Z brings it back.</source>
+        <translation>Eliminado: %1. Ctrl+Z lo recupera.</translation>
+    </message>
+    <message>
+        <source>Move %1</source>
+        <translation>Mover %1</translation>
+    </message>
+    <message>
+        <source>Print the plan</source>
+        <translation>Imprimir el plano</translation>
+    </message>
+    <message>
+        <source>PDF (%1)</source>
+        <translation>PDF (%1)</translation>
+    </message>
+    <message>
+        <source>Printed in %1</source>
+        <translation>Impreso en %1</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written. Choose another folder.</source>
+        <translation>No se puede escribir %1. Elija otra carpeta.</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::MapPanel</name>
+    <message>
+        <source>No map is open.</source>
+        <translation>No hay ningún mapa abierto.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n place(s) on the map.</source>
+        <translation>
+            <numerusform>Un lugar en el mapa.</numerusform>
+            <numerusform>%n lugares en el mapa.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Where you are is not known yet.</source>
+        <translation>Aún no se sabe dónde está usted.</translation>
+    </message>
+    <message>
+        <source>You are in %1, %2: %3.</source>
+        <translation>Usted está en %1, %2: %3.</translation>
+    </message>
+    <message>
+        <source>You are in %1: %2.</source>
+        <translation>Usted está en %1: %2.</translation>
+    </message>
+    <message>
+        <source>&amp;Go to %1</source>
+        <translation>&amp;Ir a %1</translation>
+    </message>
+    <message>
+        <source>&amp;Start at %1</source>
+        <translation>&amp;Empezar en %1</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Mapa</translation>
+    </message>
+    <message>
+        <source>&amp;Level:</source>
+        <translation>&amp;Planta:</translation>
+    </message>
+    <message>
+        <source>Level of the map</source>
+        <translation>Planta del mapa</translation>
+    </message>
+    <message>
+        <source>The floor that the map shows (Page Up and Page Down in the map)</source>
+        <translation>La planta que muestra el mapa (Re Pág y Av Pág en el mapa)</translation>
+    </message>
+    <message>
+        <source>&amp;Follow</source>
+        <translation>&amp;Seguir</translation>
+    </message>
+    <message>
+        <source>Follow</source>
+        <translation>Seguir</translation>
+    </message>
+    <message>
+        <source>Switch to the floor where you are whenever it changes</source>
+        <translation>Pasar a la planta donde usted está cuando cambia</translation>
+    </message>
+    <message>
+        <source>Larger (+)</source>
+        <translation>Más grande (+)</translation>
+    </message>
+    <message>
+        <source>Smaller (-)</source>
+        <translation>Más pequeño (-)</translation>
+    </message>
+    <message>
+        <source>Show the whole floor (0)</source>
+        <translation>Mostrar toda la planta (0)</translation>
+    </message>
+    <message>
+        <source>Floor map</source>
+        <translation>Mapa de la planta</translation>
+    </message>
+    <message>
+        <source>Drag to move, turn the wheel to zoom, double-click a place to go there</source>
+        <translation>Arrastre para mover, gire la rueda para ampliar, haga doble clic en un lugar para ir allí</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::MapView</name>
+    <message>
+        <source>Less likely</source>
+        <translation>Menos probable</translation>
+    </message>
+    <message>
+        <source>More likely</source>
+        <translation>Más probable</translation>
+    </message>
+    <message>
+        <source>No map is open.
+Open one with Ctrl+O.</source>
+        <translation>No hay ningún mapa abierto.
+Abra uno con Ctrl+O.</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::Phrasebook</name>
+    <message>
+        <source>I read: %1. %2.</source>
+        <extracomment>%1 what is written there, %2 &quot;left, up&quot;</extracomment>
+        <translation>Leo: %1. %2.</translation>
+    </message>
+    <message>
+        <source>I have found the way.</source>
+        <translation>He encontrado el camino.</translation>
+    </message>
+    <message>
+        <source>Destination: %1.</source>
+        <translation>Destino: %1.</translation>
+    </message>
+    <message>
+        <source>Then</source>
+        <translation>Después</translation>
+    </message>
+    <message>
+        <source>First</source>
+        <translation>Primero</translation>
+    </message>
+    <message>
+        <source>First, probably</source>
+        <translation>Primero, probablemente</translation>
+    </message>
+    <message>
+        <source>Start slowly: I will tell you if it is the wrong way.</source>
+        <translation>Empiece despacio: le avisaré si no es por ahí.</translation>
+    </message>
+    <message>
+        <source>Probably %1 first.</source>
+        <extracomment>%1 &quot;turn left&quot;, &quot;turn around&quot;</extracomment>
+        <translation>Primero, probablemente: %1.</translation>
+    </message>
+    <message>
+        <source>Soon</source>
+        <translation>Pronto</translation>
+    </message>
+    <message>
+        <source>Soon, probably</source>
+        <translation>Pronto, probablemente</translation>
+    </message>
+    <message>
+        <source>Keep moving forward. You are probably on the right way.</source>
+        <translation>Siga adelante. Probablemente va por el buen camino.</translation>
+    </message>
+    <message>
+        <source>Keep moving forward.</source>
+        <translation>Siga adelante.</translation>
+    </message>
+    <message>
+        <source>Now turn slowly to the left, past where you began.</source>
+        <translation>Ahora gírese despacio hacia la izquierda, más allá de donde empezó.</translation>
+    </message>
+    <message>
+        <source>Hold still, and tilt the camera slowly up.</source>
+        <translation>No se mueva e incline la cámara despacio hacia arriba.</translation>
+    </message>
+    <message>
+        <source>Now tilt it slowly down.</source>
+        <translation>Ahora inclínela despacio hacia abajo.</translation>
+    </message>
+    <message>
+        <source>I still do not know where you are. If you can, move a few steps along a wall, or ask for help.</source>
+        <translation>Sigo sin saber dónde está. Si puede, avance unos pasos junto a una pared, o pida ayuda.</translation>
+    </message>
+    <message>
+        <source>Thank you, that is enough.</source>
+        <translation>Gracias, ya es suficiente.</translation>
+    </message>
+    <message>
+        <source>I am not sure where you are. Stop, and turn slowly to the right, so that I can look around.</source>
+        <translation>No sé bien dónde está. Deténgase y gírese despacio hacia la derecha, para que pueda mirar alrededor.</translation>
+    </message>
+    <message>
+        <source>You have arrived.</source>
+        <translation>Ha llegado a su destino.</translation>
+    </message>
+    <message>
+        <source>You have probably arrived.</source>
+        <translation>Probablemente ha llegado a su destino.</translation>
+    </message>
+    <message>
+        <source>You have arrived: %1.</source>
+        <translation>Ha llegado a su destino: %1.</translation>
+    </message>
+    <message>
+        <source>You have probably arrived: %1.</source>
+        <translation>Probablemente ha llegado a su destino: %1.</translation>
+    </message>
+    <message>
+        <source>You are walking the wrong way.</source>
+        <translation>Va en sentido contrario.</translation>
+    </message>
+    <message>
+        <source>You are probably walking the wrong way.</source>
+        <translation>Probablemente va en sentido contrario.</translation>
+    </message>
+    <message>
+        <source>You have gone too far.</source>
+        <translation>Ha ido demasiado lejos.</translation>
+    </message>
+    <message>
+        <source>You have probably gone too far.</source>
+        <translation>Probablemente ha ido demasiado lejos.</translation>
+    </message>
+    <message>
+        <source>You have left the route.</source>
+        <translation>Se ha salido de la ruta.</translation>
+    </message>
+    <message>
+        <source>You have probably left the route.</source>
+        <translation>Probablemente se ha salido de la ruta.</translation>
+    </message>
+    <message>
+        <source>Stop. I know no way from here.</source>
+        <translation>Deténgase. No conozco ningún camino desde aquí.</translation>
+    </message>
+    <message>
+        <source>Stop for a moment.</source>
+        <translation>Deténgase un momento.</translation>
+    </message>
+    <message>
+        <source>From here</source>
+        <translation>Desde aquí</translation>
+    </message>
+    <message>
+        <source>I do not know yet where you are.</source>
+        <translation>Aún no sé dónde está.</translation>
+    </message>
+    <message>
+        <source>You are here: %1.</source>
+        <translation>Usted está aquí: %1.</translation>
+    </message>
+    <message>
+        <source>You are probably here, or next to it: %1.</source>
+        <translation>Probablemente está aquí, o justo al lado: %1.</translation>
+    </message>
+    <message>
+        <source>up</source>
+        <translation>arriba</translation>
+    </message>
+    <message>
+        <source>down</source>
+        <translation>abajo</translation>
+    </message>
+    <message>
+        <source>%1, %2.</source>
+        <extracomment>%1 &quot;extinguisher&quot;, %2 &quot;left, down&quot;</extracomment>
+        <translation>%1, %2.</translation>
+    </message>
+    <message>
+        <source>perhaps: %1, %2.</source>
+        <translation>quizás: %1, %2.</translation>
+    </message>
+    <message>
+        <source>No destination is chosen yet. Choose one first.</source>
+        <translation>Aún no hay ningún destino elegido. Elija uno primero.</translation>
+    </message>
+    <message>
+        <source>I do not know this destination. Choose another one.</source>
+        <translation>No conozco este destino. Elija otro.</translation>
+    </message>
+    <message>
+        <source>I do not know this destination: %1. Choose another one.</source>
+        <translation>No conozco este destino: %1. Elija otro.</translation>
+    </message>
+    <message>
+        <source>I know no way to your destination. Choose another one, or ask for help.</source>
+        <translation>No conozco ningún camino hasta su destino. Elija otro o pida ayuda.</translation>
+    </message>
+    <message>
+        <source>I know no way to: %1. Choose another destination, or ask for help.</source>
+        <translation>No conozco ningún camino hasta este destino: %1. Elija otro o pida ayuda.</translation>
+    </message>
+    <message>
+        <source>You are already there.</source>
+        <translation>Ya está en su destino.</translation>
+    </message>
+    <message>
+        <source>You are probably there already.</source>
+        <translation>Probablemente ya está en su destino.</translation>
+    </message>
+    <message>
+        <source>You are already there: %1.</source>
+        <translation>Ya está en su destino: %1.</translation>
+    </message>
+    <message>
+        <source>You are probably there already: %1.</source>
+        <translation>Probablemente ya está en su destino: %1.</translation>
+    </message>
+    <message>
+        <source>near you</source>
+        <translation>cerca de usted</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <comment>what is around</comment>
+        <extracomment>%1 &quot;a door&quot;, %2 a name</extracomment>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>I know of nothing near you.</source>
+        <translation>No conozco nada cerca de usted.</translation>
+    </message>
+    <message>
+        <source>The directions are those of your way.</source>
+        <translation>Las direcciones son las de su camino.</translation>
+    </message>
+    <message>
+        <source>The directions are those of the map.</source>
+        <translation>Las direcciones son las del mapa.</translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <comment>what is around</comment>
+        <extracomment>%1 &quot;on your left&quot;, %2 &quot;a door, Library; an extinguisher&quot;</extracomment>
+        <translation>%1: %2.</translation>
+    </message>
+    <message>
+        <source>Stop. The camera gives no picture, and I cannot guide you.</source>
+        <translation>Deténgase. La cámara no da imagen y no puedo guiarle.</translation>
+    </message>
+    <message>
+        <source>The camera works again.</source>
+        <translation>La cámara vuelve a funcionar.</translation>
+    </message>
+    <message>
+        <source>The recording has stopped. I keep guiding you.</source>
+        <translation>La grabación se ha detenido. Sigo guiándole.</translation>
+    </message>
+    <message>
+        <source>Stop. I cannot see. Please uncover the camera.</source>
+        <translation>Deténgase. No puedo ver. Destape la cámara, por favor.</translation>
+    </message>
+    <message>
+        <source>One picture could not be used. I keep guiding you.</source>
+        <translation>Una imagen no se ha podido usar. Sigo guiándole.</translation>
+    </message>
+    <message>
+        <source>Stop. Something is wrong. Please ask for help.</source>
+        <translation>Deténgase. Algo va mal. Pida ayuda, por favor.</translation>
+    </message>
+    <message numerus="yes">
+        <source>About %n foot(feet).</source>
+        <comment>length of the route</comment>
+        <translation>
+            <numerusform>Un pie, más o menos.</numerusform>
+            <numerusform>Unos %n pies.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>About %n step(s).</source>
+        <comment>length of the route</comment>
+        <translation>
+            <numerusform>Un paso, más o menos.</numerusform>
+            <numerusform>Unos %n pasos.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>About %n metre(s).</source>
+        <comment>length of the route</comment>
+        <translation>
+            <numerusform>Un metro, más o menos.</numerusform>
+            <numerusform>Unos %n metros.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>In about %n foot(feet)</source>
+        <comment>then what is there</comment>
+        <translation>
+            <numerusform>A un pie, más o menos</numerusform>
+            <numerusform>A unos %n pies</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>In about %n step(s)</source>
+        <comment>then what is there</comment>
+        <translation>
+            <numerusform>A un paso, más o menos</numerusform>
+            <numerusform>A unos %n pasos</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>In about %n metre(s)</source>
+        <comment>then what is there</comment>
+        <translation>
+            <numerusform>A un metro, más o menos</numerusform>
+            <numerusform>A unos %n metros</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Keep moving forward for about %n foot(feet).</source>
+        <translation>
+            <numerusform>Siga adelante un pie, más o menos.</numerusform>
+            <numerusform>Siga adelante unos %n pies.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Keep moving forward for about %n step(s).</source>
+        <translation>
+            <numerusform>Siga adelante un paso, más o menos.</numerusform>
+            <numerusform>Siga adelante unos %n pasos.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Keep moving forward for about %n metre(s).</source>
+        <translation>
+            <numerusform>Siga adelante un metro, más o menos.</numerusform>
+            <numerusform>Siga adelante unos %n metros.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>a door</source>
+        <translation>una puerta</translation>
+    </message>
+    <message>
+        <source>an opening</source>
+        <translation>una abertura</translation>
+    </message>
+    <message>
+        <source>stairs up</source>
+        <translation>escaleras que suben</translation>
+    </message>
+    <message>
+        <source>stairs down</source>
+        <translation>escaleras que bajan</translation>
+    </message>
+    <message>
+        <source>stairs</source>
+        <translation>escaleras</translation>
+    </message>
+    <message>
+        <source>a lift</source>
+        <translation>un ascensor</translation>
+    </message>
+    <message>
+        <source>an escalator up</source>
+        <translation>una escalera mecánica que sube</translation>
+    </message>
+    <message>
+        <source>an escalator down</source>
+        <translation>una escalera mecánica que baja</translation>
+    </message>
+    <message>
+        <source>an escalator</source>
+        <translation>una escalera mecánica</translation>
+    </message>
+    <message>
+        <source>a ramp up</source>
+        <translation>una rampa que sube</translation>
+    </message>
+    <message>
+        <source>a ramp down</source>
+        <translation>una rampa que baja</translation>
+    </message>
+    <message>
+        <source>a ramp</source>
+        <translation>una rampa</translation>
+    </message>
+    <message>
+        <source>The door is %1.</source>
+        <translation>La puerta está %1.</translation>
+    </message>
+    <message>
+        <source>The door is probably %1.</source>
+        <translation>La puerta está probablemente %1.</translation>
+    </message>
+    <message>
+        <source>The opening is %1.</source>
+        <translation>La abertura está %1.</translation>
+    </message>
+    <message>
+        <source>The opening is probably %1.</source>
+        <translation>La abertura está probablemente %1.</translation>
+    </message>
+    <message>
+        <source>The stairs are %1.</source>
+        <translation>Las escaleras están %1.</translation>
+    </message>
+    <message>
+        <source>The stairs are probably %1.</source>
+        <translation>Las escaleras están probablemente %1.</translation>
+    </message>
+    <message>
+        <source>The lift is %1.</source>
+        <translation>El ascensor está %1.</translation>
+    </message>
+    <message>
+        <source>The lift is probably %1.</source>
+        <translation>El ascensor está probablemente %1.</translation>
+    </message>
+    <message>
+        <source>The escalator is %1.</source>
+        <translation>La escalera mecánica está %1.</translation>
+    </message>
+    <message>
+        <source>The escalator is probably %1.</source>
+        <translation>La escalera mecánica está probablemente %1.</translation>
+    </message>
+    <message>
+        <source>The ramp is %1.</source>
+        <translation>La rampa está %1.</translation>
+    </message>
+    <message>
+        <source>The ramp is probably %1.</source>
+        <translation>La rampa está probablemente %1.</translation>
+    </message>
+    <message>
+        <source>You are probably near the door.</source>
+        <translation>Probablemente está cerca de la puerta.</translation>
+    </message>
+    <message>
+        <source>You are probably near the opening.</source>
+        <translation>Probablemente está cerca de la abertura.</translation>
+    </message>
+    <message>
+        <source>Careful: you are probably near the stairs.</source>
+        <translation>Cuidado: probablemente está cerca de las escaleras.</translation>
+    </message>
+    <message>
+        <source>You are probably near the lift.</source>
+        <translation>Probablemente está cerca del ascensor.</translation>
+    </message>
+    <message>
+        <source>Careful: you are probably near the escalator.</source>
+        <translation>Cuidado: probablemente está cerca de la escalera mecánica.</translation>
+    </message>
+    <message>
+        <source>You are probably near the ramp.</source>
+        <translation>Probablemente está cerca de la rampa.</translation>
+    </message>
+    <message>
+        <source>You are probably where you have to turn.</source>
+        <translation>Probablemente está donde tiene que girar.</translation>
+    </message>
+    <message>
+        <source>take the stairs up</source>
+        <translation>suba por las escaleras</translation>
+    </message>
+    <message>
+        <source>take the stairs down</source>
+        <translation>baje por las escaleras</translation>
+    </message>
+    <message>
+        <source>take the stairs, but feel first whether they go up or down</source>
+        <translation>tome las escaleras, pero compruebe primero si suben o bajan</translation>
+    </message>
+    <message>
+        <source>take the lift up</source>
+        <translation>suba en el ascensor</translation>
+    </message>
+    <message>
+        <source>take the lift down</source>
+        <translation>baje en el ascensor</translation>
+    </message>
+    <message>
+        <source>take the lift</source>
+        <translation>tome el ascensor</translation>
+    </message>
+    <message>
+        <source>take the escalator up</source>
+        <translation>suba por la escalera mecánica</translation>
+    </message>
+    <message>
+        <source>take the escalator down</source>
+        <translation>baje por la escalera mecánica</translation>
+    </message>
+    <message>
+        <source>take the escalator, but feel first whether it goes up or down</source>
+        <translation>tome la escalera mecánica, pero compruebe primero si sube o baja</translation>
+    </message>
+    <message>
+        <source>go up the ramp</source>
+        <translation>suba por la rampa</translation>
+    </message>
+    <message>
+        <source>go down the ramp</source>
+        <translation>baje por la rampa</translation>
+    </message>
+    <message>
+        <source>follow the ramp</source>
+        <translation>siga por la rampa</translation>
+    </message>
+    <message>
+        <source>ahead</source>
+        <translation>que tiene delante</translation>
+    </message>
+    <message>
+        <source>next</source>
+        <comment>door or opening</comment>
+        <translation>próxima</translation>
+    </message>
+    <message>
+        <source>get out of the lift</source>
+        <translation>salga del ascensor</translation>
+    </message>
+    <message>
+        <source>go into the lift</source>
+        <translation>entre en el ascensor</translation>
+    </message>
+    <message>
+        <source>go into the lift %1</source>
+        <translation>entre en el ascensor %1</translation>
+    </message>
+    <message>
+        <source>go straight on through two doors in a row</source>
+        <translation>siga recto y cruce dos puertas seguidas</translation>
+    </message>
+    <message>
+        <source>go straight on through two openings in a row</source>
+        <translation>siga recto y cruce dos aberturas seguidas</translation>
+    </message>
+    <message>
+        <source>go straight on through the door</source>
+        <translation>siga recto y cruce la puerta</translation>
+    </message>
+    <message>
+        <source>go straight on through the opening</source>
+        <translation>siga recto y cruce la abertura</translation>
+    </message>
+    <message>
+        <source>go through the door</source>
+        <translation>cruce la puerta</translation>
+    </message>
+    <message>
+        <source>go through the opening</source>
+        <translation>cruce la abertura</translation>
+    </message>
+    <message>
+        <source>go through the door %1</source>
+        <translation>cruce la puerta %1</translation>
+    </message>
+    <message>
+        <source>go through the opening %1</source>
+        <translation>cruce la abertura %1</translation>
+    </message>
+    <message>
+        <source>go through the %1 door %2</source>
+        <translation>cruce la %1 puerta %2</translation>
+    </message>
+    <message>
+        <source>go through the %1 opening %2</source>
+        <translation>cruce la %1 abertura %2</translation>
+    </message>
+    <message>
+        <source>%1, then %2</source>
+        <extracomment>%1 &quot;go through the door&quot;, %2 &quot;turn left&quot;</extracomment>
+        <translation>%1, y luego %2</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <extracomment>%1 &quot;go through the door&quot;, %2 &quot;turning left&quot;</extracomment>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>move forward</source>
+        <translation>avance</translation>
+    </message>
+    <message>
+        <source>your destination</source>
+        <translation>su destino</translation>
+    </message>
+    <message>
+        <source>stay in the lift</source>
+        <translation>quédese en el ascensor</translation>
+    </message>
+    <message>
+        <source>stay in the lift until: %1</source>
+        <translation>quédese en el ascensor hasta: %1</translation>
+    </message>
+    <message>
+        <source>go straight on through the next door</source>
+        <translation>siga recto y cruce la próxima puerta</translation>
+    </message>
+    <message>
+        <source>go straight on through the next opening</source>
+        <translation>siga recto y cruce la próxima abertura</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <comment>what and where</comment>
+        <extracomment>%1 &quot;a door&quot;, %2 &quot;on your left&quot;
+----------
+%1 &quot;after the extinguisher&quot;, %2 &quot;on your left&quot;</extracomment>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>level %1</source>
+        <translation>planta %1</translation>
+    </message>
+    <message>
+        <source>minus %1</source>
+        <translation>menos %1</translation>
+    </message>
+    <message>
+        <source>It is a long flight.</source>
+        <translation>Son muchos escalones.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n step(s).</source>
+        <translation>
+            <numerusform>Un escalón.</numerusform>
+            <numerusform>%n escalones.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Next: %1.</source>
+        <translation>A continuación: %1.</translation>
+    </message>
+    <message>
+        <source>When you get out: %1.</source>
+        <translation>Al salir: %1.</translation>
+    </message>
+    <message>
+        <source>At the top: %1.</source>
+        <translation>Arriba: %1.</translation>
+    </message>
+    <message>
+        <source>At the bottom: %1.</source>
+        <translation>Abajo: %1.</translation>
+    </message>
+    <message>
+        <source>Inside, choose: %1.</source>
+        <translation>Dentro, elija: %1.</translation>
+    </message>
+    <message>
+        <source>Then, straight away, %1.</source>
+        <translation>Después, enseguida, %1.</translation>
+    </message>
+    <message>
+        <source>%1: your destination.</source>
+        <translation>%1: su destino.</translation>
+    </message>
+    <message>
+        <source>%1: your destination, %2.</source>
+        <translation>%1: su destino, %2.</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <comment>mark</comment>
+        <extracomment>%1 &quot;turn left&quot;, %2 &quot;after the extinguisher&quot;</extracomment>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <comment>when, what comes</comment>
+        <extracomment>%1 &quot;Soon&quot;, %2 &quot;stairs up&quot;</extracomment>
+        <translation>%1: %2.</translation>
+    </message>
+    <message>
+        <source>%1, %2.</source>
+        <comment>when, what to do</comment>
+        <extracomment>%1 &quot;Soon&quot;, %2 &quot;go through the door&quot;</extracomment>
+        <translation>%1, %2.</translation>
+    </message>
+    <message>
+        <source>%1: a bend. Follow it, %2.</source>
+        <extracomment>%1 &quot;First&quot;, %2 &quot;turning left&quot;</extracomment>
+        <translation>%1: una curva. Sígala, %2.</translation>
+    </message>
+    <message>
+        <source>Your destination is here.</source>
+        <translation>Su destino está aquí.</translation>
+    </message>
+    <message>
+        <source>Your destination is probably here.</source>
+        <translation>Su destino está probablemente aquí.</translation>
+    </message>
+    <message>
+        <source>Your destination is here: %1.</source>
+        <translation>Su destino está aquí: %1.</translation>
+    </message>
+    <message>
+        <source>Your destination is probably here: %1.</source>
+        <translation>Su destino está probablemente aquí: %1.</translation>
+    </message>
+    <message numerus="yes">
+        <source>And %n more thing(s) to do after that.</source>
+        <translation>
+            <numerusform>Y después de eso, una cosa más.</numerusform>
+            <numerusform>Y después de eso, %n cosas más.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>known place</source>
+        <translation>lugar conocido</translation>
+    </message>
+    <message>
+        <source>door</source>
+        <translation>puerta</translation>
+    </message>
+    <message>
+        <source>lift</source>
+        <translation>ascensor</translation>
+    </message>
+    <message>
+        <source>extinguisher</source>
+        <translation>extintor</translation>
+    </message>
+    <message>
+        <source>exit sign</source>
+        <translation>señal de salida</translation>
+    </message>
+    <message>
+        <source>sign</source>
+        <translation>letrero</translation>
+    </message>
+    <message>
+        <source>text</source>
+        <translation>texto</translation>
+    </message>
+    <message>
+        <source>rectangular shape</source>
+        <translation>forma rectangular</translation>
+    </message>
+    <message>
+        <source>window</source>
+        <translation>ventana</translation>
+    </message>
+    <message>
+        <source>locker</source>
+        <translation>taquilla</translation>
+    </message>
+    <message>
+        <source>poster</source>
+        <translation>cartel</translation>
+    </message>
+    <message>
+        <source>drinking fountain</source>
+        <translation>fuente de agua</translation>
+    </message>
+    <message>
+        <source>hydrant</source>
+        <translation>boca de incendios</translation>
+    </message>
+    <message>
+        <source>vending machine</source>
+        <translation>máquina expendedora</translation>
+    </message>
+    <message>
+        <source>waste bin</source>
+        <translation>papelera</translation>
+    </message>
+    <message>
+        <source>plant</source>
+        <translation>maceta</translation>
+    </message>
+    <message>
+        <source>piece of furniture</source>
+        <translation>mueble</translation>
+    </message>
+    <message>
+        <source>picture</source>
+        <translation>cuadro</translation>
+    </message>
+    <message>
+        <source>object</source>
+        <translation>objeto</translation>
+    </message>
+    <message>
+        <source>an extinguisher</source>
+        <translation>un extintor</translation>
+    </message>
+    <message>
+        <source>an exit sign</source>
+        <translation>una señal de salida</translation>
+    </message>
+    <message>
+        <source>a sign</source>
+        <translation>un letrero</translation>
+    </message>
+    <message>
+        <source>a text</source>
+        <translation>un texto</translation>
+    </message>
+    <message>
+        <source>a window</source>
+        <translation>una ventana</translation>
+    </message>
+    <message>
+        <source>a locker</source>
+        <translation>una taquilla</translation>
+    </message>
+    <message>
+        <source>a poster</source>
+        <translation>un cartel</translation>
+    </message>
+    <message>
+        <source>a drinking fountain</source>
+        <translation>una fuente de agua</translation>
+    </message>
+    <message>
+        <source>a hydrant</source>
+        <translation>una boca de incendios</translation>
+    </message>
+    <message>
+        <source>a vending machine</source>
+        <translation>una máquina expendedora</translation>
+    </message>
+    <message>
+        <source>a waste bin</source>
+        <translation>una papelera</translation>
+    </message>
+    <message>
+        <source>a plant</source>
+        <translation>una maceta</translation>
+    </message>
+    <message>
+        <source>a piece of furniture</source>
+        <translation>un mueble</translation>
+    </message>
+    <message>
+        <source>a picture</source>
+        <translation>un cuadro</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>izquierda</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>derecha</translation>
+    </message>
+    <message>
+        <source>centre</source>
+        <translation>en el centro</translation>
+    </message>
+    <message>
+        <source>1 o&apos;clock</source>
+        <translation>una en punto</translation>
+    </message>
+    <message>
+        <source>2 o&apos;clock</source>
+        <translation>dos en punto</translation>
+    </message>
+    <message>
+        <source>3 o&apos;clock</source>
+        <translation>tres en punto</translation>
+    </message>
+    <message>
+        <source>4 o&apos;clock</source>
+        <translation>cuatro en punto</translation>
+    </message>
+    <message>
+        <source>5 o&apos;clock</source>
+        <translation>cinco en punto</translation>
+    </message>
+    <message>
+        <source>6 o&apos;clock</source>
+        <translation>seis en punto</translation>
+    </message>
+    <message>
+        <source>7 o&apos;clock</source>
+        <translation>siete en punto</translation>
+    </message>
+    <message>
+        <source>8 o&apos;clock</source>
+        <translation>ocho en punto</translation>
+    </message>
+    <message>
+        <source>9 o&apos;clock</source>
+        <translation>nueve en punto</translation>
+    </message>
+    <message>
+        <source>10 o&apos;clock</source>
+        <translation>diez en punto</translation>
+    </message>
+    <message>
+        <source>11 o&apos;clock</source>
+        <translation>once en punto</translation>
+    </message>
+    <message>
+        <source>12 o&apos;clock</source>
+        <translation>doce en punto</translation>
+    </message>
+    <message>
+        <source>go straight on</source>
+        <translation>siga recto</translation>
+    </message>
+    <message>
+        <source>turn to %1</source>
+        <comment>one o&apos;clock</comment>
+        <extracomment>%1 is an hour, such as &quot;9 o&apos;clock&quot;</extracomment>
+        <translation>gire hacia la %1</translation>
+    </message>
+    <message>
+        <source>turn to %1</source>
+        <translation>gire hacia las %1</translation>
+    </message>
+    <message>
+        <source>turn around</source>
+        <translation>dé media vuelta</translation>
+    </message>
+    <message>
+        <source>turn %1 degrees to the left</source>
+        <translation>gire %1 grados a la izquierda</translation>
+    </message>
+    <message>
+        <source>turn %1 degrees to the right</source>
+        <translation>gire %1 grados a la derecha</translation>
+    </message>
+    <message>
+        <source>turn slightly left</source>
+        <translation>gire ligeramente a la izquierda</translation>
+    </message>
+    <message>
+        <source>turn left</source>
+        <translation>gire a la izquierda</translation>
+    </message>
+    <message>
+        <source>turn sharply left</source>
+        <translation>gire muy cerrado a la izquierda</translation>
+    </message>
+    <message>
+        <source>turn slightly right</source>
+        <translation>gire ligeramente a la derecha</translation>
+    </message>
+    <message>
+        <source>turn right</source>
+        <translation>gire a la derecha</translation>
+    </message>
+    <message>
+        <source>turn sharply right</source>
+        <translation>gire muy cerrado a la derecha</translation>
+    </message>
+    <message>
+        <source>turn slightly left</source>
+        <comment>on the spot</comment>
+        <translation>gírese un poco hacia la izquierda</translation>
+    </message>
+    <message>
+        <source>turn left</source>
+        <comment>on the spot</comment>
+        <translation>gírese hacia la izquierda</translation>
+    </message>
+    <message>
+        <source>turn sharply left</source>
+        <comment>on the spot</comment>
+        <translation>gírese mucho hacia la izquierda</translation>
+    </message>
+    <message>
+        <source>turn slightly right</source>
+        <comment>on the spot</comment>
+        <translation>gírese un poco hacia la derecha</translation>
+    </message>
+    <message>
+        <source>turn right</source>
+        <comment>on the spot</comment>
+        <translation>gírese hacia la derecha</translation>
+    </message>
+    <message>
+        <source>turn sharply right</source>
+        <comment>on the spot</comment>
+        <translation>gírese mucho hacia la derecha</translation>
+    </message>
+    <message>
+        <source>turning to %1</source>
+        <comment>one o&apos;clock</comment>
+        <extracomment>%1 is an hour, such as &quot;9 o&apos;clock&quot;</extracomment>
+        <translation>girando hacia la %1</translation>
+    </message>
+    <message>
+        <source>turning to %1</source>
+        <translation>girando hacia las %1</translation>
+    </message>
+    <message>
+        <source>turning around</source>
+        <translation>dando media vuelta</translation>
+    </message>
+    <message>
+        <source>turning %1 degrees to the left</source>
+        <translation>girando %1 grados a la izquierda</translation>
+    </message>
+    <message>
+        <source>turning %1 degrees to the right</source>
+        <translation>girando %1 grados a la derecha</translation>
+    </message>
+    <message>
+        <source>turning slightly left</source>
+        <translation>girando ligeramente a la izquierda</translation>
+    </message>
+    <message>
+        <source>turning left</source>
+        <translation>girando a la izquierda</translation>
+    </message>
+    <message>
+        <source>turning sharply left</source>
+        <translation>girando muy cerrado a la izquierda</translation>
+    </message>
+    <message>
+        <source>turning slightly right</source>
+        <translation>girando ligeramente a la derecha</translation>
+    </message>
+    <message>
+        <source>turning right</source>
+        <translation>girando a la derecha</translation>
+    </message>
+    <message>
+        <source>turning sharply right</source>
+        <translation>girando muy cerrado a la derecha</translation>
+    </message>
+    <message>
+        <source>on your left</source>
+        <translation>a su izquierda</translation>
+    </message>
+    <message>
+        <source>on your right</source>
+        <translation>a su derecha</translation>
+    </message>
+    <message>
+        <source>at %1</source>
+        <comment>one o&apos;clock</comment>
+        <extracomment>%1 is an hour, such as &quot;9 o&apos;clock&quot;</extracomment>
+        <translation>a la %1</translation>
+    </message>
+    <message>
+        <source>at %1</source>
+        <translation>a las %1</translation>
+    </message>
+    <message>
+        <source>straight ahead</source>
+        <translation>justo enfrente</translation>
+    </message>
+    <message>
+        <source>behind you</source>
+        <translation>detrás de usted</translation>
+    </message>
+    <message>
+        <source>%1 degrees to your right</source>
+        <translation>%1 grados a su derecha</translation>
+    </message>
+    <message>
+        <source>%1 degrees to your left</source>
+        <translation>%1 grados a su izquierda</translation>
+    </message>
+    <message>
+        <source>ahead, slightly to your right</source>
+        <translation>delante, un poco a su derecha</translation>
+    </message>
+    <message>
+        <source>behind you, on the right</source>
+        <translation>detrás de usted, a la derecha</translation>
+    </message>
+    <message>
+        <source>behind you, on the left</source>
+        <translation>detrás de usted, a la izquierda</translation>
+    </message>
+    <message>
+        <source>ahead, slightly to your left</source>
+        <translation>delante, un poco a su izquierda</translation>
+    </message>
+    <message>
+        <source>first</source>
+        <comment>door or opening</comment>
+        <translation>primera</translation>
+    </message>
+    <message>
+        <source>second</source>
+        <comment>door or opening</comment>
+        <translation>segunda</translation>
+    </message>
+    <message>
+        <source>third</source>
+        <comment>door or opening</comment>
+        <translation>tercera</translation>
+    </message>
+    <message>
+        <source>fourth</source>
+        <comment>door or opening</comment>
+        <translation>cuarta</translation>
+    </message>
+    <message>
+        <source>fifth</source>
+        <comment>door or opening</comment>
+        <translation>quinta</translation>
+    </message>
+    <message>
+        <source>sixth</source>
+        <comment>door or opening</comment>
+        <translation>sexta</translation>
+    </message>
+    <message>
+        <source>seventh</source>
+        <comment>door or opening</comment>
+        <translation>séptima</translation>
+    </message>
+    <message>
+        <source>eighth</source>
+        <comment>door or opening</comment>
+        <translation>octava</translation>
+    </message>
+    <message>
+        <source>after the extinguisher</source>
+        <translation>después del extintor</translation>
+    </message>
+    <message>
+        <source>after the drinking fountain</source>
+        <translation>después de la fuente de agua</translation>
+    </message>
+    <message>
+        <source>after the hydrant</source>
+        <translation>después de la boca de incendios</translation>
+    </message>
+    <message>
+        <source>after the vending machine</source>
+        <translation>después de la máquina expendedora</translation>
+    </message>
+    <message>
+        <source>after the waste bin</source>
+        <translation>después de la papelera</translation>
+    </message>
+    <message>
+        <source>after the plant</source>
+        <translation>después de la maceta</translation>
+    </message>
+    <message>
+        <source>after the locker</source>
+        <translation>después de la taquilla</translation>
+    </message>
+    <message>
+        <source>a room</source>
+        <translation>una sala</translation>
+    </message>
+    <message>
+        <source>a corridor</source>
+        <translation>un pasillo</translation>
+    </message>
+    <message>
+        <source>a hall</source>
+        <translation>un vestíbulo</translation>
+    </message>
+    <message>
+        <source>a stairwell</source>
+        <translation>una escalera</translation>
+    </message>
+    <message>
+        <source>a toilet</source>
+        <translation>un aseo</translation>
+    </message>
+    <message>
+        <source>outside the building</source>
+        <translation>fuera del edificio</translation>
+    </message>
+    <message>
+        <source>to the north-east</source>
+        <translation>al noreste</translation>
+    </message>
+    <message>
+        <source>to the east</source>
+        <translation>al este</translation>
+    </message>
+    <message>
+        <source>to the south-east</source>
+        <translation>al sureste</translation>
+    </message>
+    <message>
+        <source>to the south</source>
+        <translation>al sur</translation>
+    </message>
+    <message>
+        <source>to the south-west</source>
+        <translation>al suroeste</translation>
+    </message>
+    <message>
+        <source>to the west</source>
+        <translation>al oeste</translation>
+    </message>
+    <message>
+        <source>to the north-west</source>
+        <translation>al noroeste</translation>
+    </message>
+    <message>
+        <source>to the north</source>
+        <translation>al norte</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::PlaceChooser</name>
+    <message>
+        <source>No such place</source>
+        <translation>No existe ese lugar</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n places fit: choose one</source>
+        <translation>
+            <numerusform>un lugar coincide: elíjalo</numerusform>
+            <numerusform>%n lugares coinciden: elija uno</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>&amp;Go to:</source>
+        <translation>&amp;Ir a:</translation>
+    </message>
+    <message>
+        <source>Destination</source>
+        <translation>Destino</translation>
+    </message>
+    <message>
+        <source>type a name or room number</source>
+        <translation>escriba un nombre o número de sala</translation>
+    </message>
+    <message>
+        <source>Where to go: type part of a name, room number or level, then choose</source>
+        <translation>Adónde ir: escriba parte de un nombre, número de sala o planta y elija</translation>
+    </message>
+    <message>
+        <source>Start &amp;at:</source>
+        <translation>&amp;Empezar en:</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Inicio</translation>
+    </message>
+    <message>
+        <source>not known, Farol looks for it</source>
+        <translation>desconocido, Farol lo busca</translation>
+    </message>
+    <message>
+        <source>Where the walk starts, if you know it</source>
+        <translation>Dónde empieza el recorrido, si lo sabe</translation>
+    </message>
+    <message>
+        <source>F&amp;rom:</source>
+        <translation>&amp;Desde:</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Desde</translation>
+    </message>
+    <message>
+        <source>Where the route begins: type part of a name, room number or level, then choose</source>
+        <translation>Dónde empieza la ruta: escriba parte de un nombre, número de sala o planta y elija</translation>
+    </message>
+    <message>
+        <source>&amp;To:</source>
+        <translation>&amp;Hasta:</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Hasta</translation>
+    </message>
+    <message>
+        <source>Where the route ends: type part of a name, room number or level, then choose</source>
+        <translation>Dónde termina la ruta: escriba parte de un nombre, número de sala o planta y elija</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ninguno</translation>
+    </message>
+    <message>
+        <source>Type part of a name, room number or level, then choose</source>
+        <translation>Escriba parte de un nombre, número de sala o planta y elija</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::PlanLegend</name>
+    <message>
+        <source>no landmark</source>
+        <translation>sin punto de referencia</translation>
+    </message>
+    <message>
+        <source>looks like another place</source>
+        <translation>se parece a otro lugar</translation>
+    </message>
+    <message>
+        <source>a landmark here helps most</source>
+        <translation>aquí ayuda más un punto de referencia</translation>
+    </message>
+    <message>
+        <source>not joined with the rest</source>
+        <translation>no unido con el resto</translation>
+    </message>
+    <message>
+        <source>Legend: %1</source>
+        <translation>Leyenda: %1</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::PlanPanel</name>
+    <message>
+        <source>No map is open.</source>
+        <translation>No hay ningún mapa abierto.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n region(s), %2</source>
+        <translation>
+            <numerusform>%1: una región, %2</numerusform>
+            <numerusform>%1: %n regiones, %2</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n landmark(s)</source>
+        <translation>
+            <numerusform>un punto de referencia</numerusform>
+            <numerusform>%n puntos de referencia</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>&amp;Level:</source>
+        <translation>&amp;Planta:</translation>
+    </message>
+    <message>
+        <source>Level of the plan</source>
+        <translation>Planta del plano</translation>
+    </message>
+    <message>
+        <source>The floor that the plan shows (Page Up and Page Down in the plan)</source>
+        <translation>La planta que muestra el plano (Re Pág y Av Pág en el plano)</translation>
+    </message>
+    <message>
+        <source>Larger (+)</source>
+        <translation>Más grande (+)</translation>
+    </message>
+    <message>
+        <source>Smaller (-)</source>
+        <translation>Más pequeño (-)</translation>
+    </message>
+    <message>
+        <source>Show the whole floor (0)</source>
+        <translation>Mostrar toda la planta (0)</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>Plano</translation>
+    </message>
+    <message>
+        <source>Drag to move, turn the wheel to zoom. What is chosen can be dragged, or moved by Alt and the arrows</source>
+        <translation>Arrastre para mover, gire la rueda para ampliar. Lo elegido se puede arrastrar o mover con Alt y las flechas</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::RegionDialog</name>
+    <message>
+        <source>Region %1</source>
+        <translation>Región %1</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <source>What is spoken</source>
+        <translation>Lo que se dice</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Número</translation>
+    </message>
+    <message>
+        <source>The number on the door</source>
+        <translation>El número de la puerta</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Tipo</translation>
+    </message>
+    <message>
+        <source>What sort of place it is</source>
+        <translation>Qué clase de lugar es</translation>
+    </message>
+    <message>
+        <source>Restricted</source>
+        <translation>Restringido</translation>
+    </message>
+    <message>
+        <source>Not open to everyone</source>
+        <translation>No abierto a todos</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::ReportPanel</name>
+    <message>
+        <source>%1, %2, %3</source>
+        <translation>%1, %2, %3</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n error(s)</source>
+        <translation>
+            <numerusform>un error</numerusform>
+            <numerusform>%n errores</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n warning(s)</source>
+        <translation>
+            <numerusform>un aviso</numerusform>
+            <numerusform>%n avisos</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n note(s)</source>
+        <translation>
+            <numerusform>una nota</numerusform>
+            <numerusform>%n notas</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No map is open.</source>
+        <translation>No hay ningún mapa abierto.</translation>
+    </message>
+    <message>
+        <source>The map was changed after this check: %1.</source>
+        <translation>El mapa cambió después de esta comprobación: %1.</translation>
+    </message>
+    <message>
+        <source>Nothing is wrong with this map.</source>
+        <translation>No hay nada mal en este mapa.</translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation>Hallazgos</translation>
+    </message>
+    <message>
+        <source>What is wrong with the map; choose a finding to see its place on the plan</source>
+        <translation>Qué está mal en el mapa; elija un hallazgo para ver su lugar en el plano</translation>
+    </message>
+    <message>
+        <source>The finding in words</source>
+        <translation>El hallazgo en palabras</translation>
+    </message>
+    <message>
+        <source>The finding in words, and what to do</source>
+        <translation>El hallazgo en palabras, y qué hacer</translation>
+    </message>
+    <message>
+        <source>Ne&amp;xt feature</source>
+        <translation>Elemento &amp;siguiente</translation>
+    </message>
+    <message>
+        <source>Show the next feature of this finding (F4)</source>
+        <translation>Mostrar el elemento siguiente de este hallazgo (F4)</translation>
+    </message>
+    <message>
+        <source>Chec&amp;k again</source>
+        <translation>Comprobar de &amp;nuevo</translation>
+    </message>
+    <message>
+        <source>Look for what is wrong with the map as it is now (F7)</source>
+        <translation>Buscar qué está mal en el mapa tal como está (F7)</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::RouteModel</name>
+    <message>
+        <source>Start in %1.</source>
+        <translation>Empiece en %1.</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>After</source>
+        <translation>Tras</translation>
+    </message>
+    <message>
+        <source>What to do</source>
+        <translation>Qué hacer</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::RoutePanel</name>
+    <message>
+        <source>No map is open.</source>
+        <translation>No hay ningún mapa abierto.</translation>
+    </message>
+    <message>
+        <source>Looking for the way…</source>
+        <translation>Buscando el camino…</translation>
+    </message>
+    <message>
+        <source>There is no way. %1</source>
+        <translation>No hay camino. %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 m, about %n minute(s), through %2.</source>
+        <translation>
+            <numerusform>%1 m, cerca de un minuto, a través de %2.</numerusform>
+            <numerusform>%1 m, unos %n minutos, a través de %2.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n door(s) and passage(s)</source>
+        <translation>
+            <numerusform>una puerta o paso</numerusform>
+            <numerusform>%n puertas y pasos</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Choose where the route begins and ends, here or by the menu of a place on the plan.</source>
+        <translation>Elija dónde empieza y termina la ruta, aquí o con el menú de un lugar en el plano.</translation>
+    </message>
+    <message>
+        <source>Swa&amp;p</source>
+        <translation>&amp;Invertir</translation>
+    </message>
+    <message>
+        <source>The way back: exchange where the route begins and ends</source>
+        <translation>El camino de vuelta: intercambiar inicio y fin de la ruta</translation>
+    </message>
+    <message>
+        <source>Avoid</source>
+        <translation>Evitar</translation>
+    </message>
+    <message>
+        <source>stairs</source>
+        <translation>escaleras</translation>
+    </message>
+    <message>
+        <source>Find a way without stairs</source>
+        <translation>Buscar un camino sin escaleras</translation>
+    </message>
+    <message>
+        <source>lifts</source>
+        <translation>ascensores</translation>
+    </message>
+    <message>
+        <source>Find a way without lifts</source>
+        <translation>Buscar un camino sin ascensores</translation>
+    </message>
+    <message>
+        <source>escalators</source>
+        <translation>escaleras mecánicas</translation>
+    </message>
+    <message>
+        <source>Find a way without escalators</source>
+        <translation>Buscar un camino sin escaleras mecánicas</translation>
+    </message>
+    <message>
+        <source>restricted regions</source>
+        <translation>regiones restringidas</translation>
+    </message>
+    <message>
+        <source>Find a way that is open to everyone</source>
+        <translation>Buscar un camino abierto a todos</translation>
+    </message>
+    <message>
+        <source>Sentences of the route</source>
+        <translation>Frases de la ruta</translation>
+    </message>
+    <message>
+        <source>What the walker hears; choose a sentence to see its place on the plan</source>
+        <translation>Lo que oye quien camina; elija una frase para ver su lugar en el plano</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::RuleWords</name>
+    <message>
+        <source>Outlines that are no proper outline</source>
+        <translation>Contornos que no son contornos válidos</translation>
+    </message>
+    <message>
+        <source>Draw the outline again so that it does not cross itself.</source>
+        <translation>Dibuje el contorno de nuevo de modo que no se cruce a sí mismo.</translation>
+    </message>
+    <message>
+        <source>Regions that share an id</source>
+        <translation>Regiones que comparten un identificador</translation>
+    </message>
+    <message>
+        <source>Give each region an id of its own.</source>
+        <translation>Dé a cada región un identificador propio.</translation>
+    </message>
+    <message>
+        <source>Names that nobody can say</source>
+        <translation>Nombres que nadie puede decir</translation>
+    </message>
+    <message>
+        <source>Give the region the name that people use; this one is never spoken.</source>
+        <translation>Dé a la región el nombre que usa la gente; este nunca se dice.</translation>
+    </message>
+    <message>
+        <source>Doors that share an id</source>
+        <translation>Puertas que comparten un identificador</translation>
+    </message>
+    <message>
+        <source>Give each door or passage an id of its own.</source>
+        <translation>Dé a cada puerta o paso un identificador propio.</translation>
+    </message>
+    <message>
+        <source>Landmarks that share an id</source>
+        <translation>Puntos de referencia que comparten un identificador</translation>
+    </message>
+    <message>
+        <source>Give each landmark an id of its own.</source>
+        <translation>Dé a cada punto de referencia un identificador propio.</translation>
+    </message>
+    <message>
+        <source>Doors that do not join two regions</source>
+        <translation>Puertas que no unen dos regiones</translation>
+    </message>
+    <message>
+        <source>Choose the region on each side of the door.</source>
+        <translation>Elija la región a cada lado de la puerta.</translation>
+    </message>
+    <message>
+        <source>Doors to regions that do not exist</source>
+        <translation>Puertas a regiones que no existen</translation>
+    </message>
+    <message>
+        <source>Choose regions that are on the map for both sides.</source>
+        <translation>Elija para ambos lados regiones que estén en el mapa.</translation>
+    </message>
+    <message>
+        <source>Doors far from the regions they join</source>
+        <translation>Puertas lejos de las regiones que unen</translation>
+    </message>
+    <message>
+        <source>Move the door to where the two regions meet.</source>
+        <translation>Mueva la puerta a donde se tocan las dos regiones.</translation>
+    </message>
+    <message>
+        <source>Doors drawn on fewer or more than two regions</source>
+        <translation>Puertas dibujadas sobre menos o más de dos regiones</translation>
+    </message>
+    <message>
+        <source>Doors beside more than two regions</source>
+        <translation>Puertas junto a más de dos regiones</translation>
+    </message>
+    <message>
+        <source>See that the two sides are the right ones.</source>
+        <translation>Compruebe que los dos lados son los correctos.</translation>
+    </message>
+    <message>
+        <source>Passages drawn along the way instead of across it</source>
+        <translation>Pasos dibujados a lo largo del camino y no a través</translation>
+    </message>
+    <message>
+        <source>If one walks along the line, choose its two sides by hand.</source>
+        <translation>Si se camina a lo largo de la línea, elija sus dos lados a mano.</translation>
+    </message>
+    <message>
+        <source>Doors without a place on the map</source>
+        <translation>Puertas sin lugar en el mapa</translation>
+    </message>
+    <message>
+        <source>Draw them in the source, or put them in here.</source>
+        <translation>Dibújelas en el original o póngalas aquí.</translation>
+    </message>
+    <message>
+        <source>Stairs or lifts that do not change the level</source>
+        <translation>Escaleras o ascensores que no cambian de planta</translation>
+    </message>
+    <message>
+        <source>Choose regions of two levels, or another kind.</source>
+        <translation>Elija regiones de dos plantas, u otro tipo.</translation>
+    </message>
+    <message>
+        <source>Parts of the building that no way joins</source>
+        <translation>Partes del edificio que ningún camino une</translation>
+    </message>
+    <message>
+        <source>Put in the door, stairs or lift that joins them.</source>
+        <translation>Ponga la puerta, las escaleras o el ascensor que las une.</translation>
+    </message>
+    <message>
+        <source>Regions without any door</source>
+        <translation>Regiones sin ninguna puerta</translation>
+    </message>
+    <message>
+        <source>Put in the door that leads there.</source>
+        <translation>Ponga la puerta que lleva allí.</translation>
+    </message>
+    <message>
+        <source>Regions without a name</source>
+        <translation>Regiones sin nombre</translation>
+    </message>
+    <message>
+        <source>Give them the name that people use.</source>
+        <translation>Deles el nombre que usa la gente.</translation>
+    </message>
+    <message>
+        <source>Regions of one level with the same number</source>
+        <translation>Regiones de una planta con el mismo número</translation>
+    </message>
+    <message>
+        <source>Correct the number of one of them.</source>
+        <translation>Corrija el número de una de ellas.</translation>
+    </message>
+    <message>
+        <source>Regions as narrow as a wall</source>
+        <translation>Regiones tan estrechas como una pared</translation>
+    </message>
+    <message>
+        <source>Join them with their neighbour in the source.</source>
+        <translation>Únalas con su vecina en el original.</translation>
+    </message>
+    <message>
+        <source>Regions that overlap</source>
+        <translation>Regiones que se solapan</translation>
+    </message>
+    <message>
+        <source>Draw the border between them in the source.</source>
+        <translation>Dibuje el límite entre ellas en el original.</translation>
+    </message>
+    <message>
+        <source>Regions inside other regions</source>
+        <translation>Regiones dentro de otras regiones</translation>
+    </message>
+    <message>
+        <source>Cut the smaller one out of the larger one, unless it is a part of it.</source>
+        <translation>Recorte la menor de la mayor, salvo que sea parte de ella.</translation>
+    </message>
+    <message>
+        <source>Regions drawn twice</source>
+        <translation>Regiones dibujadas dos veces</translation>
+    </message>
+    <message>
+        <source>Remove one of them in the source.</source>
+        <translation>Quite una de ellas en el original.</translation>
+    </message>
+    <message>
+        <source>Regions in several parts</source>
+        <translation>Regiones en varias partes</translation>
+    </message>
+    <message>
+        <source>Each part became a region; give the parts names of their own.</source>
+        <translation>Cada parte se ha convertido en una región; deles nombres propios.</translation>
+    </message>
+    <message>
+        <source>Landmarks in regions that do not exist</source>
+        <translation>Puntos de referencia en regiones que no existen</translation>
+    </message>
+    <message>
+        <source>Move the landmark into a region.</source>
+        <translation>Mueva el punto de referencia a una región.</translation>
+    </message>
+    <message>
+        <source>Landmarks outside their region</source>
+        <translation>Puntos de referencia fuera de su región</translation>
+    </message>
+    <message>
+        <source>Move the landmark into its region.</source>
+        <translation>Mueva el punto de referencia a su región.</translation>
+    </message>
+    <message>
+        <source>Landmarks that were given their region by their place</source>
+        <translation>Puntos de referencia cuya región se dedujo de su lugar</translation>
+    </message>
+    <message>
+        <source>Levels that the list of levels does not name</source>
+        <translation>Plantas que la lista de plantas no nombra</translation>
+    </message>
+    <message>
+        <source>Add the level to the list in the source.</source>
+        <translation>Añada la planta a la lista en el original.</translation>
+    </message>
+    <message>
+        <source>Levels named twice</source>
+        <translation>Plantas nombradas dos veces</translation>
+    </message>
+    <message>
+        <source>Levels without a usable number</source>
+        <translation>Plantas sin un número utilizable</translation>
+    </message>
+    <message>
+        <source>Give the level a number in the source.</source>
+        <translation>Dé a la planta un número en el original.</translation>
+    </message>
+    <message>
+        <source>Features whose level was assumed</source>
+        <translation>Elementos cuya planta se ha supuesto</translation>
+    </message>
+    <message>
+        <source>Add the level in the source.</source>
+        <translation>Añada la planta en el original.</translation>
+    </message>
+    <message>
+        <source>Links between levels that lead nowhere</source>
+        <translation>Enlaces entre plantas que no llevan a ninguna parte</translation>
+    </message>
+    <message>
+        <source>Choose regions that are on the map.</source>
+        <translation>Elija regiones que estén en el mapa.</translation>
+    </message>
+    <message>
+        <source>Stairs and lifts joined because they lie above one another</source>
+        <translation>Escaleras y ascensores unidos por estar uno sobre otro</translation>
+    </message>
+    <message>
+        <source>See that they really are one.</source>
+        <translation>Compruebe que de verdad son uno.</translation>
+    </message>
+    <message>
+        <source>Stairs or lifts that leave out a level</source>
+        <translation>Escaleras o ascensores que se saltan una planta</translation>
+    </message>
+    <message>
+        <source>Add the stop, if there is one.</source>
+        <translation>Añada la parada, si la hay.</translation>
+    </message>
+    <message>
+        <source>Kinds that are not known</source>
+        <translation>Tipos que no se conocen</translation>
+    </message>
+    <message>
+        <source>Choose one of the kinds that Farol knows.</source>
+        <translation>Elija uno de los tipos que Farol conoce.</translation>
+    </message>
+    <message>
+        <source>Degrees where metres are meant</source>
+        <translation>Grados donde se quieren metros</translation>
+    </message>
+    <message>
+        <source>See that the building has its right size.</source>
+        <translation>Compruebe que el edificio tiene su tamaño correcto.</translation>
+    </message>
+    <message>
+        <source>Metres where degrees are meant</source>
+        <translation>Metros donde se quieren grados</translation>
+    </message>
+    <message>
+        <source>The coordinates&apos; system is not named</source>
+        <translation>El sistema de coordenadas no está nombrado</translation>
+    </message>
+    <message>
+        <source>Name the coordinate system in the source.</source>
+        <translation>Nombre el sistema de coordenadas en el original.</translation>
+    </message>
+    <message>
+        <source>The coordinates&apos; system is not understood</source>
+        <translation>El sistema de coordenadas no se entiende</translation>
+    </message>
+    <message>
+        <source>Name a common coordinate system in the source.</source>
+        <translation>Nombre un sistema de coordenadas común en el original.</translation>
+    </message>
+    <message>
+        <source>Coordinates were converted to metres</source>
+        <translation>Las coordenadas se convirtieron a metros</translation>
+    </message>
+    <message>
+        <source>North and east were exchanged</source>
+        <translation>Norte y este estaban intercambiados</translation>
+    </message>
+    <message>
+        <source>Export the map again to be sure.</source>
+        <translation>Exporte el mapa otra vez para estar seguro.</translation>
+    </message>
+    <message>
+        <source>Points that are no places</source>
+        <translation>Puntos que no son lugares</translation>
+    </message>
+    <message>
+        <source>See whether something is missing there.</source>
+        <translation>Vea si falta algo allí.</translation>
+    </message>
+    <message>
+        <source>Features without a shape</source>
+        <translation>Elementos sin forma</translation>
+    </message>
+    <message>
+        <source>Draw them in the source if they are needed.</source>
+        <translation>Dibújelos en el original si hacen falta.</translation>
+    </message>
+    <message>
+        <source>Features without a usable shape</source>
+        <translation>Elementos sin forma utilizable</translation>
+    </message>
+    <message>
+        <source>Layers without features</source>
+        <translation>Capas sin elementos</translation>
+    </message>
+    <message>
+        <source>Layers whose meaning is not clear</source>
+        <translation>Capas cuyo significado no está claro</translation>
+    </message>
+    <message>
+        <source>Say in a profile what the layer holds.</source>
+        <translation>Diga en un perfil qué contiene la capa.</translation>
+    </message>
+    <message>
+        <source>Layers that were not used</source>
+        <translation>Capas que no se han usado</translation>
+    </message>
+    <message>
+        <source>Codes without a meaning</source>
+        <translation>Códigos sin significado</translation>
+    </message>
+    <message>
+        <source>Say in a profile what the code means.</source>
+        <translation>Diga en un perfil qué significa el código.</translation>
+    </message>
+    <message>
+        <source>Openings added where no wall stands between regions</source>
+        <translation>Aberturas añadidas donde no hay pared entre regiones</translation>
+    </message>
+    <message>
+        <source>See that one can really walk through.</source>
+        <translation>Compruebe que de verdad se puede pasar.</translation>
+    </message>
+    <message>
+        <source>Escalators without a direction</source>
+        <translation>Escaleras mecánicas sin sentido</translation>
+    </message>
+    <message>
+        <source>Say which way they run.</source>
+        <translation>Diga en qué sentido funcionan.</translation>
+    </message>
+    <message>
+        <source>Amenities without a known level</source>
+        <translation>Servicios sin planta conocida</translation>
+    </message>
+    <message>
+        <source>Name the level in the source.</source>
+        <translation>Nombre la planta en el original.</translation>
+    </message>
+    <message>
+        <source>Amenities without a place</source>
+        <translation>Servicios sin lugar</translation>
+    </message>
+    <message>
+        <source>Give them a point in the source.</source>
+        <translation>Deles un punto en el original.</translation>
+    </message>
+    <message>
+        <source>Categories that are not known</source>
+        <translation>Categorías que no se conocen</translation>
+    </message>
+    <message>
+        <source>Levels without an id</source>
+        <translation>Plantas sin identificador</translation>
+    </message>
+    <message>
+        <source>Give the level an id in the source.</source>
+        <translation>Dé a la planta un identificador en el original.</translation>
+    </message>
+    <message>
+        <source>Levels without an ordinal</source>
+        <translation>Plantas sin ordinal</translation>
+    </message>
+    <message>
+        <source>Give the level an ordinal in the source.</source>
+        <translation>Dé a la planta un ordinal en el original.</translation>
+    </message>
+    <message>
+        <source>Parts of the IMDF archive that were not used</source>
+        <translation>Partes del archivo IMDF que no se han usado</translation>
+    </message>
+    <message>
+        <source>Walls, columns and voids drawn as units</source>
+        <translation>Paredes, columnas y huecos dibujados como unidades</translation>
+    </message>
+    <message>
+        <source>Occupants without a place</source>
+        <translation>Ocupantes sin lugar</translation>
+    </message>
+    <message>
+        <source>Name the anchor in the source.</source>
+        <translation>Nombre el ancla en el original.</translation>
+    </message>
+    <message>
+        <source>Openings that are closed</source>
+        <translation>Aberturas que están cerradas</translation>
+    </message>
+    <message>
+        <source>Openings without a line</source>
+        <translation>Aberturas sin línea</translation>
+    </message>
+    <message>
+        <source>Draw the opening as a line in the source.</source>
+        <translation>Dibuje la abertura como línea en el original.</translation>
+    </message>
+    <message>
+        <source>Relationships that do not name two units</source>
+        <translation>Relaciones que no nombran dos unidades</translation>
+    </message>
+    <message>
+        <source>Name the two units in the source.</source>
+        <translation>Nombre las dos unidades en el original.</translation>
+    </message>
+    <message>
+        <source>Units without an outline</source>
+        <translation>Unidades sin contorno</translation>
+    </message>
+    <message>
+        <source>Draw the outline in the source.</source>
+        <translation>Dibuje el contorno en el original.</translation>
+    </message>
+    <message>
+        <source>Doors that stand on no outline</source>
+        <translation>Puertas que no están sobre ningún contorno</translation>
+    </message>
+    <message>
+        <source>Draw the door on the outline of its room.</source>
+        <translation>Dibuje la puerta sobre el contorno de su sala.</translation>
+    </message>
+    <message>
+        <source>Openings put where a way enters a room</source>
+        <translation>Aberturas puestas donde un camino entra en una sala</translation>
+    </message>
+    <message>
+        <source>Draw the door in the source.</source>
+        <translation>Dibuje la puerta en el original.</translation>
+    </message>
+    <message>
+        <source>Objects whose level is not clear</source>
+        <translation>Objetos cuya planta no está clara</translation>
+    </message>
+    <message>
+        <source>Objects far from every region</source>
+        <translation>Objetos lejos de toda región</translation>
+    </message>
+    <message>
+        <source>Draw the room they stand in.</source>
+        <translation>Dibuje la sala en que están.</translation>
+    </message>
+    <message>
+        <source>Features without a level</source>
+        <translation>Elementos sin planta</translation>
+    </message>
+    <message>
+        <source>Levels that cannot be read</source>
+        <translation>Plantas que no se pueden leer</translation>
+    </message>
+    <message>
+        <source>Correct the level in the source.</source>
+        <translation>Corrija la planta en el original.</translation>
+    </message>
+    <message>
+        <source>Lifts without a door</source>
+        <translation>Ascensores sin puerta</translation>
+    </message>
+    <message>
+        <source>Move the door to its place.</source>
+        <translation>Mueva la puerta a su sitio.</translation>
+    </message>
+    <message>
+        <source>Lifts that are only a point</source>
+        <translation>Ascensores que son solo un punto</translation>
+    </message>
+    <message>
+        <source>Steps that lead nowhere</source>
+        <translation>Escalones que no llevan a ninguna parte</translation>
+    </message>
+    <message>
+        <source>Draw the area or way that they lead to.</source>
+        <translation>Dibuje el área o camino al que llevan.</translation>
+    </message>
+    <message>
+        <source>Steps that may go up or down</source>
+        <translation>Escalones que pueden subir o bajar</translation>
+    </message>
+    <message>
+        <source>Say in the source which end is up.</source>
+        <translation>Diga en el original qué extremo está arriba.</translation>
+    </message>
+    <message>
+        <source>Steps without a length</source>
+        <translation>Escalones sin longitud</translation>
+    </message>
+    <message>
+        <source>Draw the line of the steps.</source>
+        <translation>Dibuje la línea de los escalones.</translation>
+    </message>
+    <message>
+        <source>Cells that could not be used</source>
+        <translation>Celdas que no se pudieron usar</translation>
+    </message>
+    <message>
+        <source>Give each cell an outline and an id.</source>
+        <translation>Dé a cada celda un contorno y un identificador.</translation>
+    </message>
+    <message>
+        <source>The coordinates&apos; system is not known</source>
+        <translation>El sistema de coordenadas no se conoce</translation>
+    </message>
+    <message>
+        <source>Doors that do not lie between two rooms</source>
+        <translation>Puertas que no están entre dos salas</translation>
+    </message>
+    <message>
+        <source>Levels that nothing tells</source>
+        <translation>Plantas que nada indica</translation>
+    </message>
+    <message>
+        <source>Say where the level stands when importing.</source>
+        <translation>Diga al importar dónde está la planta.</translation>
+    </message>
+    <message>
+        <source>Levels counted from the heights of the floors</source>
+        <translation>Plantas contadas por la altura de los suelos</translation>
+    </message>
+    <message>
+        <source>Storeys named by words</source>
+        <translation>Pisos nombrados con palabras</translation>
+    </message>
+    <message>
+        <source>Transitions that do not join two cells</source>
+        <translation>Transiciones que no unen dos celdas</translation>
+    </message>
+    <message>
+        <source>Correct the transition in the source.</source>
+        <translation>Corrija la transición en el original.</translation>
+    </message>
+    <message>
+        <source>Entrances of facilities that are missing</source>
+        <translation>Entradas de instalaciones que faltan</translation>
+    </message>
+    <message>
+        <source>Add the facility in the source.</source>
+        <translation>Añada la instalación en el original.</translation>
+    </message>
+    <message>
+        <source>Facilities that no entrance leads to</source>
+        <translation>Instalaciones a las que no lleva ninguna entrada</translation>
+    </message>
+    <message>
+        <source>Add the entrance in the source.</source>
+        <translation>Añada la entrada en el original.</translation>
+    </message>
+    <message>
+        <source>The number of the ground floor was assumed</source>
+        <translation>El número de la planta baja se ha supuesto</translation>
+    </message>
+    <message>
+        <source>Say it when importing, if it is another one.</source>
+        <translation>Dígalo al importar, si es otro.</translation>
+    </message>
+    <message>
+        <source>Objects far from every node</source>
+        <translation>Objetos lejos de todo nodo</translation>
+    </message>
+    <message>
+        <source>Move the object in the source.</source>
+        <translation>Mueva el objeto en el original.</translation>
+    </message>
+    <message>
+        <source>Links that do not join two nodes</source>
+        <translation>Enlaces que no unen dos nodos</translation>
+    </message>
+    <message>
+        <source>Correct the link in the source.</source>
+        <translation>Corrija el enlace en el original.</translation>
+    </message>
+    <message>
+        <source>Nodes that could not be used</source>
+        <translation>Nodos que no se pudieron usar</translation>
+    </message>
+    <message>
+        <source>Give each node a place and an id.</source>
+        <translation>Dé a cada nodo un lugar y un identificador.</translation>
+    </message>
+    <message>
+        <source>Nodes that no link leads to</source>
+        <translation>Nodos a los que no lleva ningún enlace</translation>
+    </message>
+    <message>
+        <source>Add the link in the source.</source>
+        <translation>Añada el enlace en el original.</translation>
+    </message>
+    <message>
+        <source>Nodes without a floor</source>
+        <translation>Nodos sin planta</translation>
+    </message>
+    <message>
+        <source>Add the floor in the source.</source>
+        <translation>Añada la planta en el original.</translation>
+    </message>
+    <message>
+        <source>Regions made from a network of ways</source>
+        <translation>Regiones hechas a partir de una red de caminos</translation>
+    </message>
+    <message>
+        <source>Features of an unknown sort</source>
+        <translation>Elementos de una clase desconocida</translation>
+    </message>
+    <message>
+        <source>Spaces closed from walls, doors and windows</source>
+        <translation>Espacios cerrados a partir de paredes, puertas y ventanas</translation>
+    </message>
+    <message>
+        <source>Give them names.</source>
+        <translation>Deles nombres.</translation>
+    </message>
+    <message>
+        <source>Doors with a space on one side only</source>
+        <translation>Puertas con un espacio a un solo lado</translation>
+    </message>
+    <message>
+        <source>See whether a wall is missing, or the door leads outside.</source>
+        <translation>Vea si falta una pared o si la puerta da al exterior.</translation>
+    </message>
+    <message>
+        <source>Narrow strips between walls</source>
+        <translation>Franjas estrechas entre paredes</translation>
+    </message>
+    <message>
+        <source>Directions of doors that are not understood</source>
+        <translation>Sentidos de puertas que no se entienden</translation>
+    </message>
+    <message>
+        <source>Say which way one can pass.</source>
+        <translation>Diga en qué sentido se puede pasar.</translation>
+    </message>
+    <message>
+        <source>Stairs or lifts to a level that nothing names</source>
+        <translation>Escaleras o ascensores a una planta que nada nombra</translation>
+    </message>
+    <message>
+        <source>Choose the region on the other level.</source>
+        <translation>Elija la región de la otra planta.</translation>
+    </message>
+    <message>
+        <source>Upper ends of stairs and lifts that are known already</source>
+        <translation>Extremos superiores de escaleras y ascensores ya conocidos</translation>
+    </message>
+    <message>
+        <source>Levels counted from the heights of the shapes</source>
+        <translation>Plantas contadas por la altura de las formas</translation>
+    </message>
+    <message>
+        <source>Moving walkways without a direction</source>
+        <translation>Pasillos rodantes sin sentido</translation>
+    </message>
+    <message>
+        <source>Say in the source which way they run.</source>
+        <translation>Diga en el original en qué sentido funcionan.</translation>
+    </message>
+    <message>
+        <source>Moving walkways that lead nowhere</source>
+        <translation>Pasillos rodantes que no llevan a ninguna parte</translation>
+    </message>
+    <message>
+        <source>Regions whose door joins two others</source>
+        <translation>Regiones cuya puerta une otras dos</translation>
+    </message>
+    <message>
+        <source>Correct the sides of the door, or put in another one.</source>
+        <translation>Corrija los lados de la puerta o ponga otra.</translation>
+    </message>
+    <message>
+        <source>Something to look at</source>
+        <translation>Algo que mirar</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::SettingsDialog</name>
+    <message>
+        <source>Settings</source>
+        <translation>Ajustes</translation>
+    </message>
+    <message>
+        <source>As the computer is set</source>
+        <translation>Como el ordenador</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Idioma</translation>
+    </message>
+    <message>
+        <source>Language of the window and of the voice</source>
+        <translation>Idioma de la ventana y de la voz</translation>
+    </message>
+    <message>
+        <source>&amp;Language:</source>
+        <translation>&amp;Idioma:</translation>
+    </message>
+    <message>
+        <source>Left and right</source>
+        <translation>Izquierda y derecha</translation>
+    </message>
+    <message>
+        <source>Hours of a clock</source>
+        <translation>Horas de un reloj</translation>
+    </message>
+    <message>
+        <source>Degrees</source>
+        <translation>Grados</translation>
+    </message>
+    <message>
+        <source>Directions</source>
+        <translation>Direcciones</translation>
+    </message>
+    <message>
+        <source>How turns are told</source>
+        <translation>Cómo se dicen los giros</translation>
+    </message>
+    <message>
+        <source>&amp;Directions:</source>
+        <translation>&amp;Direcciones:</translation>
+    </message>
+    <message>
+        <source>The way only</source>
+        <translation>Solo el camino</translation>
+    </message>
+    <message>
+        <source>The way and objects</source>
+        <translation>El camino y los objetos</translation>
+    </message>
+    <message>
+        <source>The way, objects and texts</source>
+        <translation>El camino, los objetos y los textos</translation>
+    </message>
+    <message>
+        <source>What is told</source>
+        <translation>Qué se dice</translation>
+    </message>
+    <message>
+        <source>How much is told on the way</source>
+        <translation>Cuánto se dice por el camino</translation>
+    </message>
+    <message>
+        <source>&amp;What is told:</source>
+        <translation>&amp;Qué se dice:</translation>
+    </message>
+    <message>
+        <source>The first that works</source>
+        <translation>El primero que funcione</translation>
+    </message>
+    <message>
+        <source>Speech program</source>
+        <translation>Programa de voz</translation>
+    </message>
+    <message>
+        <source>Which speech program of this computer speaks</source>
+        <translation>Qué programa de voz de este ordenador habla</translation>
+    </message>
+    <message>
+        <source>&amp;Speech program:</source>
+        <translation>&amp;Programa de voz:</translation>
+    </message>
+    <message>
+        <source>What fits the language</source>
+        <translation>La que va con el idioma</translation>
+    </message>
+    <message>
+        <source>Voice</source>
+        <translation>Voz</translation>
+    </message>
+    <message>
+        <source>Press “List voices” to choose among those of the speech program</source>
+        <translation>Pulse “Listar voces” para elegir entre las del programa de voz</translation>
+    </message>
+    <message>
+        <source>List &amp;voices</source>
+        <translation>Listar &amp;voces</translation>
+    </message>
+    <message>
+        <source>List voices</source>
+        <translation>Listar voces</translation>
+    </message>
+    <message>
+        <source>Ask the speech program for its voices; this can take some seconds</source>
+        <translation>Preguntar al programa de voz por sus voces; puede tardar unos segundos</translation>
+    </message>
+    <message>
+        <source>V&amp;oice:</source>
+        <translation>V&amp;oz:</translation>
+    </message>
+    <message>
+        <source>Speed of the voice</source>
+        <translation>Velocidad de la voz</translation>
+    </message>
+    <message>
+        <source>Slow on the left, fast on the right</source>
+        <translation>Lenta a la izquierda, rápida a la derecha</translation>
+    </message>
+    <message>
+        <source>S&amp;peed of the voice:</source>
+        <translation>V&amp;elocidad de la voz:</translation>
+    </message>
+    <message>
+        <source>Loudness</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>How loud the voice is</source>
+        <translation>Qué volumen tiene la voz</translation>
+    </message>
+    <message>
+        <source>Lo&amp;udness:</source>
+        <translation>Vol&amp;umen:</translation>
+    </message>
+    <message>
+        <source>Folder of recordings</source>
+        <translation>Carpeta de grabaciones</translation>
+    </message>
+    <message>
+        <source>Where recorded walks are kept</source>
+        <translation>Dónde se guardan los recorridos grabados</translation>
+    </message>
+    <message>
+        <source>&amp;Browse…</source>
+        <translation>E&amp;xaminar…</translation>
+    </message>
+    <message>
+        <source>Browse for the folder of recordings</source>
+        <translation>Buscar la carpeta de grabaciones</translation>
+    </message>
+    <message>
+        <source>Choose where recorded walks are kept</source>
+        <translation>Elegir dónde se guardan los recorridos grabados</translation>
+    </message>
+    <message>
+        <source>&amp;Recordings:</source>
+        <translation>&amp;Grabaciones:</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::SourceDialog</name>
+    <message>
+        <source>&amp;Camera number</source>
+        <translation>&amp;Número de cámara</translation>
+    </message>
+    <message>
+        <source>&amp;Video file</source>
+        <translation>&amp;Archivo de vídeo</translation>
+    </message>
+    <message>
+        <source>&amp;Folder of pictures</source>
+        <translation>&amp;Carpeta de imágenes</translation>
+    </message>
+    <message>
+        <source>Network &amp;address</source>
+        <translation>&amp;Dirección de red</translation>
+    </message>
+    <message>
+        <source>Open pictures</source>
+        <translation>Abrir imágenes</translation>
+    </message>
+    <message>
+        <source>Camera number</source>
+        <translation>Número de cámara</translation>
+    </message>
+    <message>
+        <source>0 is the first camera of this computer</source>
+        <translation>0 es la primera cámara de este ordenador</translation>
+    </message>
+    <message>
+        <source>Video file</source>
+        <translation>Archivo de vídeo</translation>
+    </message>
+    <message>
+        <source>Folder of pictures</source>
+        <translation>Carpeta de imágenes</translation>
+    </message>
+    <message>
+        <source>Network address</source>
+        <translation>Dirección de red</translation>
+    </message>
+    <message>
+        <source>Pictures a second</source>
+        <translation>Imágenes por segundo</translation>
+    </message>
+    <message>
+        <source>How many pictures of the folder make a second</source>
+        <translation>Cuántas imágenes de la carpeta hacen un segundo</translation>
+    </message>
+    <message>
+        <source>Pictures a &amp;second:</source>
+        <translation>Imágenes por &amp;segundo:</translation>
+    </message>
+    <message>
+        <source>&amp;Browse…</source>
+        <translation>&amp;Examinar…</translation>
+    </message>
+    <message>
+        <source>Browse for a video file</source>
+        <translation>Buscar un archivo de vídeo</translation>
+    </message>
+    <message>
+        <source>B&amp;rowse…</source>
+        <translation>E&amp;xaminar…</translation>
+    </message>
+    <message>
+        <source>Browse for a folder</source>
+        <translation>Buscar una carpeta</translation>
+    </message>
+    <message>
+        <source>Open a video</source>
+        <translation>Abrir un vídeo</translation>
+    </message>
+    <message>
+        <source>Videos (%1);;All files (%2)</source>
+        <translation>Vídeos (%1);;Todos los archivos (%2)</translation>
+    </message>
+    <message>
+        <source>Open a folder of pictures</source>
+        <translation>Abrir una carpeta de imágenes</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::SpeechDesk</name>
+    <message>
+        <source>Voice off: sentences are only shown</source>
+        <translation>Voz desactivada: las frases solo se muestran</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::SpeechOutput</name>
+    <message>
+        <source>The voice starts with the first sentence.</source>
+        <translation>La voz empieza con la primera frase.</translation>
+    </message>
+    <message>
+        <source>The voice hangs: nothing may be heard. Choose another one in the settings.</source>
+        <translation>La voz se ha colgado: quizá no se oiga nada. Elija otra en los ajustes.</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::SpeechQueue</name>
+    <message>
+        <source>There is nothing to repeat.</source>
+        <translation>No hay nada que repetir.</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::UtteranceModel</name>
+    <message>
+        <source>Caused by picture %1</source>
+        <translation>Causado por la imagen %1</translation>
+    </message>
+    <message>
+        <source>Shown as text, not heard</source>
+        <translation>Mostrado como texto, no oído</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Hora</translation>
+    </message>
+    <message>
+        <source>Sentence</source>
+        <translation>Frase</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Estado</translation>
+    </message>
+    <message>
+        <source>Because</source>
+        <translation>Porque</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::Voice</name>
+    <message>
+        <source>The voice &quot;%1&quot; is not installed. Choose another one in the settings.</source>
+        <translation>La voz &quot;%1&quot; no está instalada. Elija otra en los ajustes.</translation>
+    </message>
+    <message>
+        <source>The voice &quot;%1&quot; does not start: %2</source>
+        <translation>La voz &quot;%1&quot; no arranca: %2</translation>
+    </message>
+    <message>
+        <source>The voice &quot;%1&quot; does not speak this language. Choose another one in the settings.</source>
+        <translation>La voz &quot;%1&quot; no habla este idioma. Elija otra en los ajustes.</translation>
+    </message>
+    <message>
+        <source>No voice is installed.</source>
+        <translation>No hay ninguna voz instalada.</translation>
+    </message>
+    <message>
+        <source>There is no sound device. Connect headphones or a loudspeaker.</source>
+        <translation>No hay dispositivo de sonido. Conecte unos auriculares o un altavoz.</translation>
+    </message>
+    <message>
+        <source>The voice does not work. Choose another one in the settings.</source>
+        <translation>La voz no funciona. Elija otra en los ajustes.</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::VoteModel</name>
+    <message numerus="yes">
+        <source>%n matching object(s)</source>
+        <translation>
+            <numerusform>un objeto que encaja</numerusform>
+            <numerusform>%n objetos que encajan</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Lugar</translation>
+    </message>
+    <message>
+        <source>Votes</source>
+        <translation>Votos</translation>
+    </message>
+    <message>
+        <source>Made of</source>
+        <translation>Compuesto de</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::Walk</name>
+    <message numerus="yes">
+        <source>%n remark(s) about the map: %1</source>
+        <translation>
+            <numerusform>una observación sobre el mapa: %1</numerusform>
+            <numerusform>%n observaciones sobre el mapa: %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Opening %1…</source>
+        <translation>Abriendo %1…</translation>
+    </message>
+    <message>
+        <source>Loading…</source>
+        <translation>Cargando…</translation>
+    </message>
+    <message>
+        <source>Open a map first (Ctrl+O).</source>
+        <translation>Abra primero un mapa (Ctrl+O).</translation>
+    </message>
+    <message>
+        <source>Open a camera, a video or a folder of pictures first (Ctrl+P).</source>
+        <translation>Abra primero una cámara, un vídeo o una carpeta de imágenes (Ctrl+P).</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::WindowActions</name>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Archivo</translation>
+    </message>
+    <message>
+        <source>&amp;Walk</source>
+        <translation>&amp;Recorrido</translation>
+    </message>
+    <message>
+        <source>V&amp;oice</source>
+        <translation>V&amp;oz</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ver</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>A&amp;yuda</translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
+        <translation>&amp;Idioma</translation>
+    </message>
+    <message>
+        <source>R&amp;ecent maps</source>
+        <translation>Mapas r&amp;ecientes</translation>
+    </message>
+    <message>
+        <source>Recent landmark li&amp;braries</source>
+        <translation>Bi&amp;bliotecas recientes</translation>
+    </message>
+    <message>
+        <source>Recent pi&amp;ctures</source>
+        <translation>Imá&amp;genes recientes</translation>
+    </message>
+    <message>
+        <source>&amp;Open map…</source>
+        <translation>&amp;Abrir mapa…</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Mapa</translation>
+    </message>
+    <message>
+        <source>Open the map of a building</source>
+        <translation>Abrir el mapa de un edificio</translation>
+    </message>
+    <message>
+        <source>Open landmark &amp;library…</source>
+        <translation>Abrir b&amp;iblioteca de puntos de referencia…</translation>
+    </message>
+    <message>
+        <source>Landmarks</source>
+        <translation>Puntos de referencia</translation>
+    </message>
+    <message>
+        <source>Open the landmarks that Farol was taught</source>
+        <translation>Abrir los puntos de referencia que se enseñaron a Farol</translation>
+    </message>
+    <message>
+        <source>&amp;Close landmark library</source>
+        <translation>&amp;Cerrar biblioteca</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>Walk without taught landmarks</source>
+        <translation>Recorrer sin puntos de referencia enseñados</translation>
+    </message>
+    <message>
+        <source>Open &amp;pictures…</source>
+        <translation>Abrir im&amp;ágenes…</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>Imágenes</translation>
+    </message>
+    <message>
+        <source>Choose a camera, a video, a folder or an address</source>
+        <translation>Elegir una cámara, un vídeo, una carpeta o una dirección</translation>
+    </message>
+    <message>
+        <source>&amp;Settings…</source>
+        <translation>A&amp;justes…</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Ajustes</translation>
+    </message>
+    <message>
+        <source>Language, voice and what is told</source>
+        <translation>Idioma, voz y lo que se dice</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Salir</translation>
+    </message>
+    <message>
+        <source>Quit</source>
+        <translation>Salir</translation>
+    </message>
+    <message>
+        <source>Leave Farol</source>
+        <translation>Salir de Farol</translation>
+    </message>
+    <message>
+        <source>&amp;Pause</source>
+        <translation>&amp;Pausa</translation>
+    </message>
+    <message>
+        <source>&amp;Play</source>
+        <translation>Re&amp;producir</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pausar</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Reproducir</translation>
+    </message>
+    <message>
+        <source>Hold the walk</source>
+        <translation>Detener un momento el recorrido</translation>
+    </message>
+    <message>
+        <source>Start the walk, or go on</source>
+        <translation>Empezar el recorrido, o continuar</translation>
+    </message>
+    <message>
+        <source>&amp;One picture</source>
+        <translation>&amp;Una imagen</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Paso</translation>
+    </message>
+    <message>
+        <source>Go on by one picture, then hold</source>
+        <translation>Avanzar una imagen y parar</translation>
+    </message>
+    <message>
+        <source>S&amp;top</source>
+        <translation>&amp;Detener</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Detener</translation>
+    </message>
+    <message>
+        <source>End the walk</source>
+        <translation>Terminar el recorrido</translation>
+    </message>
+    <message>
+        <source>&amp;Faster</source>
+        <translation>&amp;Más rápido</translation>
+    </message>
+    <message>
+        <source>Faster</source>
+        <translation>Más rápido</translation>
+    </message>
+    <message>
+        <source>Play faster</source>
+        <translation>Reproducir más rápido</translation>
+    </message>
+    <message>
+        <source>&amp;Slower</source>
+        <translation>Más &amp;lento</translation>
+    </message>
+    <message>
+        <source>Slower</source>
+        <translation>Más lento</translation>
+    </message>
+    <message>
+        <source>Play slower</source>
+        <translation>Reproducir más despacio</translation>
+    </message>
+    <message>
+        <source>Choose &amp;destination</source>
+        <translation>Elegir d&amp;estino</translation>
+    </message>
+    <message>
+        <source>Destination</source>
+        <translation>Destino</translation>
+    </message>
+    <message>
+        <source>Choose where to go</source>
+        <translation>Elegir adónde ir</translation>
+    </message>
+    <message>
+        <source>&amp;No destination</source>
+        <translation>&amp;Sin destino</translation>
+    </message>
+    <message>
+        <source>No destination</source>
+        <translation>Sin destino</translation>
+    </message>
+    <message>
+        <source>Give up the destination</source>
+        <translation>Renunciar al destino</translation>
+    </message>
+    <message>
+        <source>Choose st&amp;art</source>
+        <translation>Elegir ini&amp;cio</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Inicio</translation>
+    </message>
+    <message>
+        <source>Say where the walk starts</source>
+        <translation>Decir dónde empieza el recorrido</translation>
+    </message>
+    <message>
+        <source>&amp;Record the walk</source>
+        <translation>&amp;Grabar el recorrido</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>Grabar</translation>
+    </message>
+    <message>
+        <source>Keep the next walk in a folder, to be replayed</source>
+        <translation>Guardar el próximo recorrido en una carpeta, para reproducirlo</translation>
+    </message>
+    <message>
+        <source>&amp;Repeat</source>
+        <translation>&amp;Repetir</translation>
+    </message>
+    <message>
+        <source>Repeat</source>
+        <translation>Repetir</translation>
+    </message>
+    <message>
+        <source>Say the last instruction again</source>
+        <translation>Decir otra vez la última instrucción</translation>
+    </message>
+    <message>
+        <source>Voice o&amp;ff</source>
+        <translation>&amp;Voz desactivada</translation>
+    </message>
+    <message>
+        <source>Voice off</source>
+        <translation>Voz desactivada</translation>
+    </message>
+    <message>
+        <source>Show sentences without speaking them</source>
+        <translation>Mostrar las frases sin decirlas</translation>
+    </message>
+    <message>
+        <source>Wal&amp;k page</source>
+        <translation>Página &amp;Recorrido</translation>
+    </message>
+    <message>
+        <source>Walk</source>
+        <translation>Recorrido</translation>
+    </message>
+    <message>
+        <source>Watch a walk</source>
+        <translation>Observar un recorrido</translation>
+    </message>
+    <message>
+        <source>&amp;Map page</source>
+        <translation>Página &amp;Mapa</translation>
+    </message>
+    <message>
+        <source>Look at the map of a building, check it and change it</source>
+        <translation>Ver el mapa de un edificio, comprobarlo y cambiarlo</translation>
+    </message>
+    <message>
+        <source>&amp;Whole floor</source>
+        <translation>&amp;Toda la planta</translation>
+    </message>
+    <message>
+        <source>Whole floor</source>
+        <translation>Toda la planta</translation>
+    </message>
+    <message>
+        <source>Show the whole floor</source>
+        <translation>Mostrar toda la planta</translation>
+    </message>
+    <message>
+        <source>&amp;Larger map</source>
+        <translation>Mapa más &amp;grande</translation>
+    </message>
+    <message>
+        <source>Larger</source>
+        <translation>Más grande</translation>
+    </message>
+    <message>
+        <source>Show the map larger</source>
+        <translation>Mostrar el mapa más grande</translation>
+    </message>
+    <message>
+        <source>&amp;Smaller map</source>
+        <translation>Mapa más p&amp;equeño</translation>
+    </message>
+    <message>
+        <source>Smaller</source>
+        <translation>Más pequeño</translation>
+    </message>
+    <message>
+        <source>Show the map smaller</source>
+        <translation>Mostrar el mapa más pequeño</translation>
+    </message>
+    <message>
+        <source>&amp;Follow to other floors</source>
+        <translation>&amp;Seguir a otras plantas</translation>
+    </message>
+    <message>
+        <source>Follow</source>
+        <translation>Seguir</translation>
+    </message>
+    <message>
+        <source>Switch to the floor where you are</source>
+        <translation>Pasar a la planta donde usted está</translation>
+    </message>
+    <message>
+        <source>&amp;Grid over the picture</source>
+        <translation>&amp;Cuadrícula sobre la imagen</translation>
+    </message>
+    <message>
+        <source>Grid</source>
+        <translation>Cuadrícula</translation>
+    </message>
+    <message>
+        <source>Show the nine parts of the picture</source>
+        <translation>Mostrar las nueve partes de la imagen</translation>
+    </message>
+    <message>
+        <source>&amp;What was not accepted</source>
+        <translation>Lo &amp;no aceptado</translation>
+    </message>
+    <message>
+        <source>Not accepted</source>
+        <translation>No aceptado</translation>
+    </message>
+    <message>
+        <source>Show what was nearly recognised, and why not</source>
+        <translation>Mostrar lo que casi se reconoció, y por qué no</translation>
+    </message>
+    <message>
+        <source>&amp;Next part of the window</source>
+        <translation>S&amp;iguiente parte de la ventana</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Siguiente</translation>
+    </message>
+    <message>
+        <source>Go to the next part of the window</source>
+        <translation>Ir a la siguiente parte de la ventana</translation>
+    </message>
+    <message>
+        <source>&amp;Previous part of the window</source>
+        <translation>Parte &amp;anterior de la ventana</translation>
+    </message>
+    <message>
+        <source>Previous</source>
+        <translation>Anterior</translation>
+    </message>
+    <message>
+        <source>Go to the previous part of the window</source>
+        <translation>Ir a la parte anterior de la ventana</translation>
+    </message>
+    <message>
+        <source>&amp;Keys</source>
+        <translation>&amp;Teclas</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Teclas</translation>
+    </message>
+    <message>
+        <source>Every key of this window</source>
+        <translation>Todas las teclas de esta ventana</translation>
+    </message>
+    <message>
+        <source>&amp;About Farol</source>
+        <translation>&amp;Acerca de Farol</translation>
+    </message>
+    <message>
+        <source>About</source>
+        <translation>Acerca de</translation>
+    </message>
+    <message>
+        <source>What Farol is</source>
+        <translation>Qué es Farol</translation>
+    </message>
+    <message>
+        <source>&amp;Speed:</source>
+        <translation>&amp;Velocidad:</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Velocidad</translation>
+    </message>
+    <message>
+        <source>How fast pictures from files are played</source>
+        <translation>A qué velocidad se reproducen las imágenes de archivos</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::Words</name>
+    <message>
+        <source>room</source>
+        <translation>sala</translation>
+    </message>
+    <message>
+        <source>corridor</source>
+        <translation>pasillo</translation>
+    </message>
+    <message>
+        <source>hall</source>
+        <translation>vestíbulo</translation>
+    </message>
+    <message>
+        <source>stairwell</source>
+        <translation>caja de escaleras</translation>
+    </message>
+    <message>
+        <source>lift</source>
+        <translation>ascensor</translation>
+    </message>
+    <message>
+        <source>toilet</source>
+        <translation>aseo</translation>
+    </message>
+    <message>
+        <source>outside</source>
+        <translation>exterior</translation>
+    </message>
+    <message>
+        <source>place</source>
+        <translation>lugar</translation>
+    </message>
+    <message>
+        <source>door</source>
+        <translation>puerta</translation>
+    </message>
+    <message>
+        <source>opening</source>
+        <translation>abertura</translation>
+    </message>
+    <message>
+        <source>stairs</source>
+        <translation>escaleras</translation>
+    </message>
+    <message>
+        <source>escalator</source>
+        <translation>escalera mecánica</translation>
+    </message>
+    <message>
+        <source>ramp</source>
+        <translation>rampa</translation>
+    </message>
+    <message>
+        <source>window</source>
+        <translation>ventana</translation>
+    </message>
+    <message>
+        <source>passage</source>
+        <translation>paso</translation>
+    </message>
+    <message>
+        <source>level %1</source>
+        <translation>planta %1</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>?</source>
+        <translation>?</translation>
+    </message>
+    <message>
+        <source>%1 between %2 and %3</source>
+        <translation>%1 entre %2 y %3</translation>
+    </message>
+    <message>
+        <source>%1 (closed)</source>
+        <translation>%1 (cerrado)</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1: %2, in %3</source>
+        <translation>%1: %2, en %3</translation>
+    </message>
+    <message>
+        <source>waiting</source>
+        <translation>en espera</translation>
+    </message>
+    <message>
+        <source>speaking</source>
+        <translation>hablando</translation>
+    </message>
+    <message>
+        <source>spoken</source>
+        <translation>dicho</translation>
+    </message>
+    <message>
+        <source>interrupted</source>
+        <translation>interrumpido</translation>
+    </message>
+    <message>
+        <source>too late</source>
+        <translation>demasiado tarde</translation>
+    </message>
+    <message>
+        <source>shown</source>
+        <translation>mostrado</translation>
+    </message>
+    <message>
+        <source>new route</source>
+        <translation>nueva ruta</translation>
+    </message>
+    <message>
+        <source>coming up</source>
+        <translation>se acerca</translation>
+    </message>
+    <message>
+        <source>do it now</source>
+        <translation>hágalo ahora</translation>
+    </message>
+    <message>
+        <source>keep going</source>
+        <translation>continúe</translation>
+    </message>
+    <message>
+        <source>arrived</source>
+        <translation>llegada</translation>
+    </message>
+    <message>
+        <source>left the route</source>
+        <translation>ha dejado la ruta</translation>
+    </message>
+    <message>
+        <source>place not known</source>
+        <translation>lugar desconocido</translation>
+    </message>
+    <message>
+        <source>place found</source>
+        <translation>lugar encontrado</translation>
+    </message>
+    <message>
+        <source>object seen</source>
+        <translation>objeto visto</translation>
+    </message>
+    <message>
+        <source>text read</source>
+        <translation>texto leído</translation>
+    </message>
+    <message>
+        <source>no route</source>
+        <translation>sin ruta</translation>
+    </message>
+    <message>
+        <source>already there</source>
+        <translation>ya en el destino</translation>
+    </message>
+    <message>
+        <source>asked for</source>
+        <translation>pedido</translation>
+    </message>
+    <message>
+        <source>warning</source>
+        <translation>aviso</translation>
+    </message>
+    <message>
+        <source>sure</source>
+        <translation>seguro</translation>
+    </message>
+    <message>
+        <source>fairly sure</source>
+        <translation>bastante seguro</translation>
+    </message>
+    <message>
+        <source>not sure</source>
+        <translation>no seguro</translation>
+    </message>
+    <message>
+        <source>too few points fit</source>
+        <translation>encajan muy pocos puntos</translation>
+    </message>
+    <message>
+        <source>outline folded</source>
+        <translation>contorno plegado</translation>
+    </message>
+    <message>
+        <source>looks too different</source>
+        <translation>se ve demasiado distinto</translation>
+    </message>
+    <message>
+        <source>objects</source>
+        <translation>objetos</translation>
+    </message>
+    <message>
+        <source>best object</source>
+        <translation>mejor objeto</translation>
+    </message>
+    <message>
+        <source>near the last place</source>
+        <translation>cerca del último lugar</translation>
+    </message>
+    <message>
+        <source>on the way</source>
+        <translation>por el camino</translation>
+    </message>
+    <message>
+        <source>seen together</source>
+        <translation>vistos juntos</translation>
+    </message>
+    <message>
+        <source>weight of the place</source>
+        <translation>peso del lugar</translation>
+    </message>
+    <message>
+        <source>share seen here</source>
+        <translation>parte vista aquí</translation>
+    </message>
+    <message>
+        <source>share seen next door</source>
+        <translation>parte vista al lado</translation>
+    </message>
+    <message>
+        <source>vote</source>
+        <translation>voto</translation>
+    </message>
+</context>
+</TS>

@@ -1,0 +1,5311 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="fr" sourcelanguage="en">
+<context>
+    <name>farol::Options</name>
+    <message>
+        <source>%1 needs a number above 0, not “%2”</source>
+        <translation>%1 demande un nombre supérieur à 0, pas « %2 »</translation>
+    </message>
+    <message>
+        <source>%1 needs a size such as 1280x800, not “%2”</source>
+        <translation>%1 demande une taille comme 1280x800, pas « %2 »</translation>
+    </message>
+    <message>
+        <source>“%1” is not known; see --help</source>
+        <translation>« %1 » est inconnu ; voir --help</translation>
+    </message>
+</context>
+<context>
+    <name>farol::espeak</name>
+    <message>
+        <source>The data of the voice are missing: install espeak-ng-data.</source>
+        <translation>Les données de la voix manquent : installez espeak-ng-data.</translation>
+    </message>
+    <message>
+        <source>There is no sound device.</source>
+        <translation>Il n&apos;y a pas de périphérique audio.</translation>
+    </message>
+    <message>
+        <source>The sound device cannot play speech: choose another one.</source>
+        <translation>Le périphérique audio ne peut pas restituer la parole : choisissez-en un autre.</translation>
+    </message>
+    <message>
+        <source>The sound device does not start.</source>
+        <translation>Le périphérique audio ne démarre pas.</translation>
+    </message>
+    <message>
+        <source>The sound device stopped in the middle of a text.</source>
+        <translation>Le périphérique audio s&apos;est arrêté au milieu d&apos;un texte.</translation>
+    </message>
+    <message>
+        <source>The voice cannot be loaded: choose another one.</source>
+        <translation>La voix ne peut pas être chargée : choisissez-en une autre.</translation>
+    </message>
+    <message>
+        <source>The text could not be turned into sound.</source>
+        <translation>Le texte n&apos;a pas pu être transformé en son.</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::AccessDialog</name>
+    <message>
+        <source>Door or passage %1</source>
+        <translation>Porte ou passage %1</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Type</translation>
+    </message>
+    <message>
+        <source>What sort of passage it is</source>
+        <translation>De quelle sorte de passage il s&apos;agit</translation>
+    </message>
+    <message>
+        <source>Type part of a name, room number or level, then choose</source>
+        <translation>Tapez une partie d&apos;un nom, d&apos;un numéro de salle ou d&apos;un niveau, puis choisissez</translation>
+    </message>
+    <message>
+        <source>One side</source>
+        <translation>Un côté</translation>
+    </message>
+    <message>
+        <source>Other side</source>
+        <translation>Autre côté</translation>
+    </message>
+    <message>
+        <source>both ways</source>
+        <translation>dans les deux sens</translation>
+    </message>
+    <message>
+        <source>from the one side to the other only</source>
+        <translation>seulement du premier côté au second</translation>
+    </message>
+    <message>
+        <source>from the other side to the one only</source>
+        <translation>seulement du second côté au premier</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Sens</translation>
+    </message>
+    <message>
+        <source>Which way one can pass</source>
+        <translation>Dans quel sens on peut passer</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Largeur</translation>
+    </message>
+    <message>
+        <source>How wide the door is</source>
+        <translation>Largeur de la porte</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>inconnu</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Marches</translation>
+    </message>
+    <message>
+        <source>How many steps the stairs have</source>
+        <translation>Nombre de marches de l&apos;escalier</translation>
+    </message>
+    <message>
+        <source>East</source>
+        <translation>Est</translation>
+    </message>
+    <message>
+        <source>Place on the map, metres to the east</source>
+        <translation>Emplacement sur la carte, mètres vers l&apos;est</translation>
+    </message>
+    <message>
+        <source>North</source>
+        <translation>Nord</translation>
+    </message>
+    <message>
+        <source>Place on the map, metres to the north</source>
+        <translation>Emplacement sur la carte, mètres vers le nord</translation>
+    </message>
+    <message>
+        <source>Closed</source>
+        <translation>Fermé</translation>
+    </message>
+    <message>
+        <source>Nobody can pass</source>
+        <translation>Personne ne peut passer</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::Banner</name>
+    <message>
+        <source>Note</source>
+        <translation>Remarque</translation>
+    </message>
+    <message>
+        <source>Attention</source>
+        <translation>Avertissement</translation>
+    </message>
+    <message>
+        <source>Problem</source>
+        <translation>Problème</translation>
+    </message>
+    <message>
+        <source>Close this message</source>
+        <translation>Fermer ce message</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::DetectionModel</name>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>not accepted</source>
+        <translation>non accepté</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Quoi</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>Où</translation>
+    </message>
+    <message>
+        <source>Match</source>
+        <translation>Concordance</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::FeatureDialog</name>
+    <message>
+        <source>%1:</source>
+        <translation>%1 :</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>inconnu</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::FeatureModel</name>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Numéro</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Type</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Niveau</translation>
+    </message>
+    <message>
+        <source>Area (m²)</source>
+        <translation>Surface (m²)</translation>
+    </message>
+    <message>
+        <source>Doors</source>
+        <translation>Portes</translation>
+    </message>
+    <message>
+        <source>Neighbours</source>
+        <translation>Voisins</translation>
+    </message>
+    <message>
+        <source>Seen</source>
+        <translation>Repères</translation>
+    </message>
+    <message>
+        <source>Restricted</source>
+        <translation>Restreint</translation>
+    </message>
+    <message>
+        <source>Id</source>
+        <translation>Identifiant</translation>
+    </message>
+    <message>
+        <source>One side</source>
+        <translation>Un côté</translation>
+    </message>
+    <message>
+        <source>Other side</source>
+        <translation>Autre côté</translation>
+    </message>
+    <message>
+        <source>Width (m)</source>
+        <translation>Largeur (m)</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Marches</translation>
+    </message>
+    <message>
+        <source>One way</source>
+        <translation>Sens unique</translation>
+    </message>
+    <message>
+        <source>Closed</source>
+        <translation>Fermé</translation>
+    </message>
+    <message>
+        <source>Shaft</source>
+        <translation>Cage</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Texte</translation>
+    </message>
+    <message>
+        <source>Region</source>
+        <translation>Région</translation>
+    </message>
+    <message>
+        <source>Faces (°)</source>
+        <translation>Orientation (°)</translation>
+    </message>
+    <message>
+        <source>Height (m)</source>
+        <translation>Hauteur (m)</translation>
+    </message>
+    <message>
+        <source>Wide (m)</source>
+        <translation>Largeur propre (m)</translation>
+    </message>
+    <message>
+        <source>Tall (m)</source>
+        <translation>Hauteur propre (m)</translation>
+    </message>
+    <message>
+        <source>Trained as</source>
+        <translation>Appris comme</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>oui</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::FeaturePanel</name>
+    <message numerus="yes">
+        <source>%n row(s)</source>
+        <translation>
+            <numerusform>%n ligne</numerusform>
+            <numerusform>%n lignes</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n row(s)</source>
+        <translation>
+            <numerusform>%1 sur %n ligne</numerusform>
+            <numerusform>%1 sur %n lignes</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Regions</source>
+        <translation>Régions</translation>
+    </message>
+    <message>
+        <source>Doors and passages</source>
+        <translation>Portes et passages</translation>
+    </message>
+    <message>
+        <source>Landmarks</source>
+        <translation>Repères</translation>
+    </message>
+    <message>
+        <source>What the table lists</source>
+        <translation>Ce que montre le tableau</translation>
+    </message>
+    <message>
+        <source>Search the table</source>
+        <translation>Chercher dans le tableau</translation>
+    </message>
+    <message>
+        <source>Rows that hold every word typed (Ctrl+F)</source>
+        <translation>Lignes contenant tous les mots tapés (Ctrl+F)</translation>
+    </message>
+    <message>
+        <source>This level onl&amp;y</source>
+        <translation>Ce &amp;niveau seulement</translation>
+    </message>
+    <message>
+        <source>This level only</source>
+        <translation>Ce niveau seulement</translation>
+    </message>
+    <message>
+        <source>List only what is on the level that the plan shows</source>
+        <translation>Ne montrer que ce qui est au niveau affiché par le plan</translation>
+    </message>
+    <message>
+        <source>Attributes</source>
+        <translation>Attributs</translation>
+    </message>
+    <message>
+        <source>Choose a row to see it on the plan; press Enter to change it</source>
+        <translation>Choisissez une ligne pour la voir sur le plan ; appuyez sur Entrée pour la modifier</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::FindingModel</name>
+    <message>
+        <source>Error</source>
+        <translation>Erreur</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>Avertissement</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Remarque</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>et %n autre</numerusform>
+            <numerusform>et %n autres</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1 : %2</translation>
+    </message>
+    <message>
+        <source>Rule: %1</source>
+        <translation>Règle : %1</translation>
+    </message>
+    <message>
+        <source>What was found</source>
+        <translation>Ce qui a été trouvé</translation>
+    </message>
+    <message>
+        <source>Features</source>
+        <translation>Éléments</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::FloorModel</name>
+    <message>
+        <source>you are here</source>
+        <translation>vous êtes ici</translation>
+    </message>
+    <message>
+        <source>destination</source>
+        <translation>destination</translation>
+    </message>
+    <message>
+        <source>%1 – %2</source>
+        <translation>%1 – %2</translation>
+    </message>
+    <message>
+        <source>closed</source>
+        <translation>fermé</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Quoi</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>Où</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::FramePanel</name>
+    <message>
+        <source>What the camera sees</source>
+        <translation>Ce que voit la caméra</translation>
+    </message>
+    <message>
+        <source>Camera picture</source>
+        <translation>Image de la caméra</translation>
+    </message>
+    <message>
+        <source>The camera&apos;s picture, with what Farol recognised in it</source>
+        <translation>L&apos;image de la caméra, avec ce que Farol y a reconnu</translation>
+    </message>
+    <message>
+        <source>Picture %1 at %2</source>
+        <translation>Image %1 à %2</translation>
+    </message>
+    <message>
+        <source>Picture %1 at %2 (%3)</source>
+        <translation>Image %1 à %2 (%3)</translation>
+    </message>
+    <message>
+        <source>understood in %1 ms</source>
+        <translation>comprise en %1 ms</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n left out because late</source>
+        <translation>
+            <numerusform>%n omise car en retard</numerusform>
+            <numerusform>%n omises car en retard</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n unreadable</source>
+        <translation>
+            <numerusform>%n illisible</numerusform>
+            <numerusform>%n illisibles</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Time from the picture&apos;s arrival to the answer, and how many pictures had to be left out because Farol was still busy with an earlier one</source>
+        <translation>Temps entre l&apos;arrivée de l&apos;image et la réponse, et nombre d&apos;images omises parce que Farol traitait encore une image précédente</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::FrameView</name>
+    <message>
+        <source>No picture yet</source>
+        <translation>Pas encore d&apos;image</translation>
+    </message>
+    <message>
+        <source>Nothing known is in the picture</source>
+        <translation>Rien de connu dans l&apos;image</translation>
+    </message>
+    <message>
+        <source>In the picture: %1</source>
+        <translation>Dans l&apos;image : %1</translation>
+    </message>
+    <message>
+        <source>Spoken: %1</source>
+        <translation>Dit : %1</translation>
+    </message>
+    <message>
+        <source>%1 · %2 %</source>
+        <translation>%1 · %2 %</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1 : %2</translation>
+    </message>
+    <message>
+        <source>No picture yet.
+Open a camera, a video or a folder of pictures, then press Play.</source>
+        <translation>Pas encore d&apos;image.
+Ouvrez une caméra, une vidéo ou un dossier d&apos;images, puis appuyez sur Lecture.</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::HistoryModel</name>
+    <message>
+        <source>What</source>
+        <translation>Quoi</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>Où</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Heure</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::ImportDialog</name>
+    <message>
+        <source>Import a map</source>
+        <translation>Importer une carte</translation>
+    </message>
+    <message>
+        <source>A file, a folder or a zip: IMDF, OpenStreetMap indoor, IndoorGML, per-floor Shapefiles, GeoJSON, GeoPackage, HULOP, WRLD. What is found wrong is told afterwards; nothing is written until you save.</source>
+        <translation>Un fichier, un dossier ou un zip : IMDF, OpenStreetMap d&apos;intérieur, IndoorGML, Shapefiles par étage, GeoJSON, GeoPackage, HULOP, WRLD. Les défauts trouvés sont dits ensuite ; rien n&apos;est écrit avant l&apos;enregistrement.</translation>
+    </message>
+    <message>
+        <source>&amp;File…</source>
+        <translation>&amp;Fichier…</translation>
+    </message>
+    <message>
+        <source>Fol&amp;der…</source>
+        <translation>&amp;Dossier…</translation>
+    </message>
+    <message>
+        <source>Choose a file</source>
+        <translation>Choisir un fichier</translation>
+    </message>
+    <message>
+        <source>Choose a folder</source>
+        <translation>Choisir un dossier</translation>
+    </message>
+    <message>
+        <source>by its content</source>
+        <translation>d&apos;après son contenu</translation>
+    </message>
+    <message>
+        <source>as the format has it</source>
+        <translation>comme dans le format</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>aucun</translation>
+    </message>
+    <message>
+        <source>%1:</source>
+        <translation>%1 :</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Carte</translation>
+    </message>
+    <message>
+        <source>Path of the file, folder or zip</source>
+        <translation>Chemin du fichier, du dossier ou du zip</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Type</translation>
+    </message>
+    <message>
+        <source>Of which kind the map is</source>
+        <translation>De quel type est la carte</translation>
+    </message>
+    <message>
+        <source>Language of names</source>
+        <translation>Langue des noms</translation>
+    </message>
+    <message>
+        <source>Which of several names is taken, such as en or pt</source>
+        <translation>Lequel de plusieurs noms est pris, par exemple en ou fr</translation>
+    </message>
+    <message>
+        <source>Level stands in</source>
+        <translation>Le niveau se trouve dans</translation>
+    </message>
+    <message>
+        <source>Where the map leaves it open: filename, z, or the name of a column</source>
+        <translation>Si la carte ne le dit pas : filename, z ou le nom d&apos;une colonne</translation>
+    </message>
+    <message>
+        <source>Profile</source>
+        <translation>Profil</translation>
+    </message>
+    <message>
+        <source>A file with other names of columns and codes</source>
+        <translation>Un fichier avec d&apos;autres noms de colonnes et de codes</translation>
+    </message>
+    <message>
+        <source>&amp;Import</source>
+        <translation>&amp;Importer</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::InstructionPanel</name>
+    <message>
+        <source>No destination chosen: places are told, no route.</source>
+        <translation>Aucune destination choisie : les lieux sont dits, sans itinéraire.</translation>
+    </message>
+    <message>
+        <source>The route follows as soon as it is known where you are.</source>
+        <translation>L&apos;itinéraire viendra dès que l&apos;on saura où vous êtes.</translation>
+    </message>
+    <message>
+        <source>There is no way to the destination. %1</source>
+        <translation>Il n&apos;y a pas de chemin vers la destination. %1</translation>
+    </message>
+    <message>
+        <source>At the destination.</source>
+        <translation>À destination.</translation>
+    </message>
+    <message>
+        <source>On the way to %1</source>
+        <translation>En route vers %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more place(s) to pass</source>
+        <translation>
+            <numerusform>encore %n lieu à traverser</numerusform>
+            <numerusform>encore %n lieux à traverser</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>next in %1 m</source>
+        <translation>prochaine dans %1 m</translation>
+    </message>
+    <message>
+        <source>%1 m to go</source>
+        <translation>encore %1 m</translation>
+    </message>
+    <message>
+        <source>Off the route</source>
+        <translation>Hors de l&apos;itinéraire</translation>
+    </message>
+    <message>
+        <source>Next instruction</source>
+        <translation>Prochaine instruction</translation>
+    </message>
+    <message>
+        <source>Said at %1</source>
+        <translation>Dit à %1</translation>
+    </message>
+    <message>
+        <source>Open a map to begin.</source>
+        <translation>Ouvrez une carte pour commencer.</translation>
+    </message>
+    <message>
+        <source>Ready. Press Play to start the walk.</source>
+        <translation>Prêt. Appuyez sur Lecture pour commencer le parcours.</translation>
+    </message>
+    <message>
+        <source>Looking around…</source>
+        <translation>Je regarde autour…</translation>
+    </message>
+    <message>
+        <source>Next instruction: %1</source>
+        <translation>Prochaine instruction : %1</translation>
+    </message>
+    <message>
+        <source>No sound: %1</source>
+        <translation>Pas de son : %1</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::KeysDialog</name>
+    <message>
+        <source>Keys</source>
+        <translation>Touches</translation>
+    </message>
+    <message>
+        <source>Arrows</source>
+        <translation>Flèches</translation>
+    </message>
+    <message>
+        <source>In the map: move it</source>
+        <translation>Sur la carte : la déplacer</translation>
+    </message>
+    <message>
+        <source>In the map: larger, smaller, whole floor</source>
+        <translation>Sur la carte : plus grand, plus petit, tout l&apos;étage</translation>
+    </message>
+    <message>
+        <source>Page Up, Page Down</source>
+        <translation>Page préc., Page suiv.</translation>
+    </message>
+    <message>
+        <source>In the map: the floor above, the floor below</source>
+        <translation>Sur la carte : l&apos;étage au-dessus, en dessous</translation>
+    </message>
+    <message>
+        <source>Alt + Arrows</source>
+        <translation>Alt + flèches</translation>
+    </message>
+    <message>
+        <source>In the plan: move what is chosen by 10 cm, with Shift by 1 m</source>
+        <translation>Sur le plan : déplacer la sélection de 10 cm, avec Maj de 1 m</translation>
+    </message>
+    <message>
+        <source>Tab</source>
+        <translation>Tabulation</translation>
+    </message>
+    <message>
+        <source>The next button or list</source>
+        <translation>Le bouton ou la liste suivante</translation>
+    </message>
+    <message>
+        <source>Key</source>
+        <translation>Touche</translation>
+    </message>
+    <message>
+        <source>What it does</source>
+        <translation>Ce qu&apos;elle fait</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::Kiosk</name>
+    <message>
+        <source>No map was given (farol --kiosk --map FILE).</source>
+        <translation>Aucun plan n&apos;a été indiqué (farol --kiosk --map FICHIER).</translation>
+    </message>
+    <message>
+        <source>The landmarks cannot be loaded: I will hardly know where you are. Ask for help.</source>
+        <translation>Les repères ne peuvent pas être chargés : je ne saurai guère où vous êtes. Demandez de l&apos;aide.</translation>
+    </message>
+    <message>
+        <source>The destination cannot be kept for a restart: the folder cannot be written.</source>
+        <translation>La destination ne peut pas être gardée pour un redémarrage : le dossier n&apos;est pas accessible en écriture.</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::KioskMachine</name>
+    <message>
+        <source>One moment.</source>
+        <translation>Un instant.</translation>
+    </message>
+    <message>
+        <source>Farol. I am opening the map.</source>
+        <translation>Farol. J&apos;ouvre le plan.</translation>
+    </message>
+    <message>
+        <source>The new map cannot be opened. I keep the old one.</source>
+        <translation>Le nouveau plan ne peut pas être ouvert. Je garde l&apos;ancien.</translation>
+    </message>
+    <message>
+        <source>Farol was interrupted and has started again.</source>
+        <translation>Farol s&apos;est interrompu et a redémarré.</translation>
+    </message>
+    <message>
+        <source>You were last here: %1.</source>
+        <translation>Votre dernière position était : %1.</translation>
+    </message>
+    <message>
+        <source>The camera works again.</source>
+        <translation>La caméra fonctionne de nouveau.</translation>
+    </message>
+    <message>
+        <source>Stop, and turn slowly to the right, so that I can look around.</source>
+        <translation>Arrêtez-vous et tournez-vous lentement vers la droite, pour que je puisse regarder autour de vous.</translation>
+    </message>
+    <message>
+        <source>No destination is chosen yet. Choose one first.</source>
+        <translation>Aucune destination n&apos;est encore choisie. Choisissez-en une d&apos;abord.</translation>
+    </message>
+    <message>
+        <source>This is the first place.</source>
+        <translation>C&apos;est le premier lieu.</translation>
+    </message>
+    <message>
+        <source>This is the last place.</source>
+        <translation>C&apos;est le dernier lieu.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n place(s). %2.</source>
+        <extracomment>%1 &quot;Rooms&quot;, %2 the first of them</extracomment>
+        <translation>
+            <numerusform>%1 : un lieu. %2.</numerusform>
+            <numerusform>%1 : %n lieux. %2.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Type part of a name or a number, then press Enter.</source>
+        <translation>Tapez une partie d&apos;un nom ou d&apos;un numéro, puis appuyez sur Entrée.</translation>
+    </message>
+    <message>
+        <source>space</source>
+        <translation>espace</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n place(s).</source>
+        <comment>while typing</comment>
+        <extracomment>%1 the letter just typed</extracomment>
+        <translation>
+            <numerusform>%1 : un lieu.</numerusform>
+            <numerusform>%1 : %n lieux.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Nothing is typed.</source>
+        <translation>Rien n&apos;est tapé.</translation>
+    </message>
+    <message>
+        <source>Deleted: %1. %2</source>
+        <translation>Effacé : %1. %2</translation>
+    </message>
+    <message>
+        <source>%1 %2. Enter: go there. Arrow down: next.</source>
+        <translation>%1 %2. Entrée : y aller. Flèche bas : suivant.</translation>
+    </message>
+    <message>
+        <source>Nothing is chosen yet. Press arrow down to hear the places.</source>
+        <translation>Rien n&apos;est encore choisi. Appuyez sur flèche bas pour entendre les lieux.</translation>
+    </message>
+    <message>
+        <source>I try the camera again.</source>
+        <translation>J&apos;essaie de nouveau la caméra.</translation>
+    </message>
+    <message>
+        <source>Going on. %1</source>
+        <translation>Je continue. %1</translation>
+    </message>
+    <message>
+        <source>This key does nothing. Escape: back.</source>
+        <translation>Cette touche ne fait rien. Échap : retour.</translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <extracomment>%1 a key, %2 what it does</extracomment>
+        <translation>%1 : %2.</translation>
+    </message>
+    <message>
+        <source>Back to the kinds of places.</source>
+        <translation>Retour aux types de lieux.</translation>
+    </message>
+    <message>
+        <source>Leave Farol.</source>
+        <translation>Quitter Farol.</translation>
+    </message>
+    <message>
+        <source>Start.</source>
+        <translation>Commencer.</translation>
+    </message>
+    <message>
+        <source>Hear the whole way.</source>
+        <translation>Entendre tout le chemin.</translation>
+    </message>
+    <message>
+        <source>Another place.</source>
+        <translation>Un autre lieu.</translation>
+    </message>
+    <message>
+        <source>Try the camera again.</source>
+        <translation>Réessayer la caméra.</translation>
+    </message>
+    <message>
+        <source>Stop the guidance.</source>
+        <translation>Arrêter le guidage.</translation>
+    </message>
+    <message>
+        <source>Choose another place.</source>
+        <translation>Choisir un autre lieu.</translation>
+    </message>
+    <message>
+        <source>Yes, stop.</source>
+        <translation>Oui, arrêter.</translation>
+    </message>
+    <message>
+        <source>No, go on.</source>
+        <translation>Non, continuer.</translation>
+    </message>
+    <message>
+        <source>Yes, leave.</source>
+        <translation>Oui, quitter.</translation>
+    </message>
+    <message>
+        <source>No, stay.</source>
+        <translation>Non, rester.</translation>
+    </message>
+    <message>
+        <source>Press space to hear what there is, then Enter.</source>
+        <translation>Appuyez sur espace pour entendre les choix, puis sur Entrée.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n place(s). Space: first place.</source>
+        <translation>
+            <numerusform>%1 : un lieu. Espace : premier lieu.</numerusform>
+            <numerusform>%1 : %n lieux. Espace : premier lieu.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1. %2 of %3.</source>
+        <extracomment>%1 a place, then which of how many</extracomment>
+        <translation>%1. %2 sur %3.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Choose a destination: %n place(s).</source>
+        <translation>
+            <numerusform>Choisissez une destination : un lieu.</numerusform>
+            <numerusform>Choisissez une destination : %n lieux.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Space: next. Enter: take it.</source>
+        <translation>Espace : suivant. Entrée : choisir.</translation>
+    </message>
+    <message>
+        <source>Arrow down: first place. F: type a name. F1: all keys.</source>
+        <translation>Flèche bas : premier lieu. F : taper un nom. F1 : toutes les touches.</translation>
+    </message>
+    <message>
+        <source>To: %1.</source>
+        <translation>Destination : %1.</translation>
+    </message>
+    <message>
+        <source>I do not know yet where you are, and look for it on the way.</source>
+        <translation>Je ne sais pas encore où vous êtes ; je le chercherai en chemin.</translation>
+    </message>
+    <message>
+        <source>Space: choices.</source>
+        <translation>Espace : choix.</translation>
+    </message>
+    <message>
+        <source>Enter: start. L: the whole way. Escape: another place.</source>
+        <translation>Entrée : commencer. L : tout le chemin. Échap : un autre lieu.</translation>
+    </message>
+    <message>
+        <source>Stop the guidance?</source>
+        <translation>Arrêter le guidage ?</translation>
+    </message>
+    <message>
+        <source>Leave Farol?</source>
+        <translation>Quitter Farol ?</translation>
+    </message>
+    <message>
+        <source>Enter or Escape: yes. Any other key: no.</source>
+        <translation>Entrée ou Échap : oui. Toute autre touche : non.</translation>
+    </message>
+    <message>
+        <source>No camera is set up, and I cannot guide you. Ask for help.</source>
+        <translation>Aucune caméra n&apos;est réglée, et je ne peux pas vous guider. Demandez de l&apos;aide.</translation>
+    </message>
+    <message>
+        <source>The camera is starting.</source>
+        <translation>La caméra démarre.</translation>
+    </message>
+    <message>
+        <source>Stop. The camera gives no pictures, and I cannot guide you. Enter: try again.</source>
+        <translation>Arrêtez-vous. La caméra ne donne pas d&apos;images, et je ne peux pas vous guider. Entrée : réessayer.</translation>
+    </message>
+    <message>
+        <source>The camera gives no pictures. I try it again when you start.</source>
+        <translation>La caméra ne donne pas d&apos;images. Je réessaierai quand vous commencerez.</translation>
+    </message>
+    <message>
+        <source>No place fits: %1. Delete letters, or press Escape.</source>
+        <translation>Aucun lieu ne correspond : %1. Effacez des lettres ou appuyez sur Échap.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n place(s) fit: %1.</source>
+        <translation>
+            <numerusform>Un lieu correspond : %1.</numerusform>
+            <numerusform>%n lieux correspondent : %1.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>This map has no places to go to. Ask for help.</source>
+        <translation>Ce plan ne contient aucun lieu où aller. Demandez de l&apos;aide.</translation>
+    </message>
+    <message>
+        <source>The map cannot be opened. Ask for help.</source>
+        <translation>Le plan ne peut pas être ouvert. Demandez de l&apos;aide.</translation>
+    </message>
+    <message>
+        <source>The map is being opened. Please wait.</source>
+        <translation>Le plan est en cours d&apos;ouverture. Veuillez patienter.</translation>
+    </message>
+    <message>
+        <source>On the way to: %1.</source>
+        <translation>En route vers : %1.</translation>
+    </message>
+    <message>
+        <source>You have arrived: %1. Enter: another destination.</source>
+        <translation>Vous êtes à destination : %1. Entrée : une autre destination.</translation>
+    </message>
+    <message>
+        <source>Goodbye.</source>
+        <translation>Au revoir.</translation>
+    </message>
+    <message>
+        <source>Quiet: I tell only warnings and what you ask. M: speak again.</source>
+        <translation>Silence : je ne dis que les alertes et ce que vous demandez. M : parler de nouveau.</translation>
+    </message>
+    <message>
+        <source>I tell everything again.</source>
+        <translation>Je dis de nouveau tout.</translation>
+    </message>
+    <message>
+        <source>Speed %1 of %2.</source>
+        <translation>Vitesse %1 sur %2.</translation>
+    </message>
+    <message>
+        <source>I speak English now.</source>
+        <translation>Je parle français maintenant.</translation>
+    </message>
+    <message>
+        <source>Two keys: space goes through the choices, Enter takes one. F4: all keys again.</source>
+        <translation>Deux touches : espace parcourt les choix, Entrée en prend un. F4 : de nouveau toutes les touches.</translation>
+    </message>
+    <message>
+        <source>All keys are in use again.</source>
+        <translation>Toutes les touches servent de nouveau.</translation>
+    </message>
+    <message>
+        <source>Farol</source>
+        <translation>Farol</translation>
+    </message>
+    <message>
+        <source>Where to? %1</source>
+        <translation>Où aller ? %1</translation>
+    </message>
+    <message>
+        <source>Search: %1</source>
+        <translation>Recherche : %1</translation>
+    </message>
+    <message>
+        <source>The way to %1</source>
+        <translation>Chemin : %1</translation>
+    </message>
+    <message>
+        <source>Walking to %1</source>
+        <translation>En route : %1</translation>
+    </message>
+    <message>
+        <source>Arrived</source>
+        <translation>À destination</translation>
+    </message>
+    <message>
+        <source>Stop?</source>
+        <translation>Arrêter ?</translation>
+    </message>
+    <message>
+        <source>Leave?</source>
+        <translation>Quitter ?</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Touches</translation>
+    </message>
+    <message>
+        <source>Goodbye</source>
+        <translation>Au revoir</translation>
+    </message>
+    <message>
+        <source>Space: next   Enter: take   F4: all keys</source>
+        <translation>Espace : suivant   Entrée : choisir   F4 : touches</translation>
+    </message>
+    <message>
+        <source>Arrows: places   Enter: go   F: search   F1: keys</source>
+        <translation>Flèches : lieux   Entrée : aller   F : chercher   F1 : touches</translation>
+    </message>
+    <message>
+        <source>Enter: done   Esc: back</source>
+        <translation>Entrée : terminé   Échap : retour</translation>
+    </message>
+    <message>
+        <source>Enter: start   L: whole way   Esc: back</source>
+        <translation>Entrée : commencer   L : tout   Échap : retour</translation>
+    </message>
+    <message>
+        <source>Space: again   W: where am I   Esc: stop</source>
+        <translation>Espace : répéter   W : où suis-je   Échap : arrêter</translation>
+    </message>
+    <message>
+        <source>Enter: another destination</source>
+        <translation>Entrée : une autre destination</translation>
+    </message>
+    <message>
+        <source>Enter: yes   any other key: no</source>
+        <translation>Entrée : oui   autre touche : non</translation>
+    </message>
+    <message>
+        <source>Esc: back   F1: number pad</source>
+        <translation>Échap : retour   F1 : pavé numérique</translation>
+    </message>
+    <message>
+        <source>Esc: leave   F1: keys</source>
+        <translation>Échap : quitter   F1 : touches</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::KioskPage</name>
+    <message>
+        <source>Farol</source>
+        <translation>Farol</translation>
+    </message>
+    <message>
+        <source>Farol, guidance</source>
+        <translation>Farol, guidage</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::KioskPlaces</name>
+    <message>
+        <source>All places</source>
+        <translation>Tous les lieux</translation>
+    </message>
+    <message>
+        <source>Rooms</source>
+        <translation>Salles</translation>
+    </message>
+    <message>
+        <source>Toilets</source>
+        <translation>Toilettes</translation>
+    </message>
+    <message>
+        <source>Halls</source>
+        <translation>Halls</translation>
+    </message>
+    <message>
+        <source>Corridors</source>
+        <translation>Couloirs</translation>
+    </message>
+    <message>
+        <source>Lifts</source>
+        <translation>Ascenseurs</translation>
+    </message>
+    <message>
+        <source>Stairs</source>
+        <translation>Escaliers</translation>
+    </message>
+    <message>
+        <source>Ways out</source>
+        <translation>Sorties</translation>
+    </message>
+    <message>
+        <source>Other places</source>
+        <translation>Autres lieux</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::KioskWords</name>
+    <message>
+        <source>Arrow up</source>
+        <translation>Flèche haut</translation>
+    </message>
+    <message>
+        <source>Arrow down</source>
+        <translation>Flèche bas</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Début</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Touche fin</translation>
+    </message>
+    <message>
+        <source>Arrow left</source>
+        <translation>Flèche gauche</translation>
+    </message>
+    <message>
+        <source>Arrow right</source>
+        <translation>Flèche droite</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Entrée</translation>
+    </message>
+    <message>
+        <source>Escape</source>
+        <translation>Échap</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Espace</translation>
+    </message>
+    <message>
+        <source>Plus</source>
+        <translation>Touche plus</translation>
+    </message>
+    <message>
+        <source>Minus</source>
+        <translation>Touche moins</translation>
+    </message>
+    <message>
+        <source>the place before</source>
+        <translation>le lieu précédent</translation>
+    </message>
+    <message>
+        <source>the next place</source>
+        <translation>le lieu suivant</translation>
+    </message>
+    <message>
+        <source>the first place</source>
+        <translation>le premier lieu</translation>
+    </message>
+    <message>
+        <source>the last place</source>
+        <translation>le dernier lieu</translation>
+    </message>
+    <message>
+        <source>another kind of places, back</source>
+        <translation>un autre type de lieux, en arrière</translation>
+    </message>
+    <message>
+        <source>another kind of places, on</source>
+        <translation>un autre type de lieux, en avant</translation>
+    </message>
+    <message>
+        <source>choose, start</source>
+        <translation>choisir, commencer</translation>
+    </message>
+    <message>
+        <source>back; hold it down to leave</source>
+        <translation>retour ; maintenez-la appuyée pour quitter</translation>
+    </message>
+    <message>
+        <source>say again</source>
+        <translation>répéter</translation>
+    </message>
+    <message>
+        <source>where am I</source>
+        <translation>où suis-je</translation>
+    </message>
+    <message>
+        <source>what is around me</source>
+        <translation>qu&apos;y a-t-il autour de moi</translation>
+    </message>
+    <message>
+        <source>what comes next</source>
+        <translation>qu&apos;est-ce qui vient ensuite</translation>
+    </message>
+    <message>
+        <source>the whole way</source>
+        <translation>tout le chemin</translation>
+    </message>
+    <message>
+        <source>look around</source>
+        <translation>regarder autour</translation>
+    </message>
+    <message>
+        <source>quiet, or speak again</source>
+        <translation>silence, ou parler de nouveau</translation>
+    </message>
+    <message>
+        <source>speak faster</source>
+        <translation>parler plus vite</translation>
+    </message>
+    <message>
+        <source>speak slower</source>
+        <translation>parler plus lentement</translation>
+    </message>
+    <message>
+        <source>how much I tell</source>
+        <translation>combien j&apos;en dis</translation>
+    </message>
+    <message>
+        <source>how I tell directions</source>
+        <translation>comment je dis les directions</translation>
+    </message>
+    <message>
+        <source>metres, feet or steps</source>
+        <translation>mètres, pieds ou pas</translation>
+    </message>
+    <message>
+        <source>search a place by typing</source>
+        <translation>chercher un lieu en tapant</translation>
+    </message>
+    <message>
+        <source>the keys</source>
+        <translation>les touches</translation>
+    </message>
+    <message>
+        <source>everything with two keys</source>
+        <translation>tout avec deux touches</translation>
+    </message>
+    <message>
+        <source>Keys. Press one to hear what it does; F1: number pad; Escape: back.</source>
+        <translation>Touches. Appuyez sur l&apos;une pour entendre ce qu&apos;elle fait ; F1 : pavé numérique ; Échap : retour.</translation>
+    </message>
+    <message>
+        <source>Number pad. 8 and 2: up and down. 4 and 6: left and right. 5 or Enter: choose. 0: say again. 1: where am I. 3: around me. 7: what comes next. 9: the whole way. Plus and minus: speed. Star: keys. Slash: quiet. Point: back.</source>
+        <translation>Pavé numérique. 8 et 2 : haut et bas. 4 et 6 : gauche et droite. 5 ou Entrée : choisir. 0 : répéter. 1 : où suis-je. 3 : autour de moi. 7 : ce qui vient ensuite. 9 : tout le chemin. Plus et moins : vitesse. Étoile : touches. Barre oblique : silence. Point : retour.</translation>
+    </message>
+    <message>
+        <source>This key does nothing here. F1: all keys.</source>
+        <translation>Cette touche ne fait rien ici. F1 : toutes les touches.</translation>
+    </message>
+    <message>
+        <source>I tell directions only.</source>
+        <translation>Je dis seulement les directions.</translation>
+    </message>
+    <message>
+        <source>I tell directions and objects.</source>
+        <translation>Je dis les directions et les objets.</translation>
+    </message>
+    <message>
+        <source>I tell directions, objects and texts.</source>
+        <translation>Je dis les directions, les objets et les textes.</translation>
+    </message>
+    <message>
+        <source>Directions as left and right.</source>
+        <translation>Directions : gauche et droite.</translation>
+    </message>
+    <message>
+        <source>Directions as on a clock.</source>
+        <translation>Directions comme sur une horloge.</translation>
+    </message>
+    <message>
+        <source>Directions in degrees.</source>
+        <translation>Directions en degrés.</translation>
+    </message>
+    <message>
+        <source>Distances in metres.</source>
+        <translation>Distances en mètres.</translation>
+    </message>
+    <message>
+        <source>Distances in feet.</source>
+        <translation>Distances en pieds.</translation>
+    </message>
+    <message>
+        <source>Distances in steps.</source>
+        <translation>Distances en pas.</translation>
+    </message>
+    <message>
+        <source>another language</source>
+        <translation>une autre langue</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::LandmarkDialog</name>
+    <message>
+        <source>Landmark %1</source>
+        <translation>Repère %1</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Type</translation>
+    </message>
+    <message>
+        <source>What it is</source>
+        <translation>Ce que c&apos;est</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Texte</translation>
+    </message>
+    <message>
+        <source>What can be read on it</source>
+        <translation>Ce qu&apos;on peut y lire</translation>
+    </message>
+    <message>
+        <source>Trained as</source>
+        <translation>Appris comme</translation>
+    </message>
+    <message>
+        <source>The name under which its appearance was trained</source>
+        <translation>Le nom sous lequel son apparence a été apprise</translation>
+    </message>
+    <message>
+        <source>any</source>
+        <translation>quelconque</translation>
+    </message>
+    <message>
+        <source>Faces</source>
+        <translation>Orientation</translation>
+    </message>
+    <message>
+        <source>The way it faces: 0 is east, 90 north, 180 west, 270 south</source>
+        <translation>Vers où il est tourné : 0 est, 90 nord, 180 ouest, 270 sud</translation>
+    </message>
+    <message>
+        <source>Height above the floor</source>
+        <translation>Hauteur au-dessus du sol</translation>
+    </message>
+    <message>
+        <source>Of its middle</source>
+        <translation>De son milieu</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Largeur</translation>
+    </message>
+    <message>
+        <source>How wide it is: its distance is told from that</source>
+        <translation>Sa largeur : sa distance en est déduite</translation>
+    </message>
+    <message>
+        <source>Its own height</source>
+        <translation>Sa propre hauteur</translation>
+    </message>
+    <message>
+        <source>How tall it is</source>
+        <translation>Quelle est sa hauteur</translation>
+    </message>
+    <message>
+        <source>East</source>
+        <translation>Est</translation>
+    </message>
+    <message>
+        <source>Place on the map, metres to the east</source>
+        <translation>Emplacement sur la carte, mètres vers l&apos;est</translation>
+    </message>
+    <message>
+        <source>North</source>
+        <translation>Nord</translation>
+    </message>
+    <message>
+        <source>Place on the map, metres to the north</source>
+        <translation>Emplacement sur la carte, mètres vers le nord</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::LivePage</name>
+    <message>
+        <source>What was said</source>
+        <translation>Ce qui a été dit</translation>
+    </message>
+    <message>
+        <source>Where it could be</source>
+        <translation>Où cela pourrait être</translation>
+    </message>
+    <message>
+        <source>Every sentence, when it was due, and what became of it</source>
+        <translation>Chaque phrase, quand elle était due et ce qu&apos;elle est devenue</translation>
+    </message>
+    <message>
+        <source>The places that fit what was seen, best first</source>
+        <translation>Les lieux qui correspondent à ce qui a été vu, le meilleur d&apos;abord</translation>
+    </message>
+    <message>
+        <source>Last seen</source>
+        <translation>Vu en dernier</translation>
+    </message>
+    <message>
+        <source>The last objects that the place is worked out from</source>
+        <translation>Les derniers objets dont le lieu est déduit</translation>
+    </message>
+    <message>
+        <source>In the picture</source>
+        <translation>Dans l&apos;image</translation>
+    </message>
+    <message>
+        <source>Everything recognised in the picture shown</source>
+        <translation>Tout ce qui est reconnu dans l&apos;image montrée</translation>
+    </message>
+    <message>
+        <source>On this floor</source>
+        <translation>À cet étage</translation>
+    </message>
+    <message>
+        <source>The map as a list; press Enter on a place to go there</source>
+        <translation>La carte sous forme de liste ; appuyez sur Entrée sur un lieu pour y aller</translation>
+    </message>
+    <message>
+        <source>Lists</source>
+        <translation>Listes</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::MainWindow</name>
+    <message>
+        <source>About Farol</source>
+        <translation>À propos de Farol</translation>
+    </message>
+    <message>
+        <source>Farol %1
+
+Guides a blind person through a building with one ordinary camera: it recognises what it was taught, works out the place, and speaks the way.</source>
+        <translation>Farol %1
+
+Guide une personne aveugle dans un bâtiment avec une simple caméra : il reconnaît ce qu&apos;on lui a appris, trouve le lieu et dit le chemin.</translation>
+    </message>
+    <message>
+        <source>Ready</source>
+        <translation>Prêt</translation>
+    </message>
+    <message>
+        <source>Walking</source>
+        <translation>En parcours</translation>
+    </message>
+    <message>
+        <source>Held</source>
+        <translation>En pause</translation>
+    </message>
+    <message>
+        <source>The walk has ended</source>
+        <translation>Le parcours est terminé</translation>
+    </message>
+    <message>
+        <source>The walk could not go on</source>
+        <translation>Le parcours n&apos;a pas pu continuer</translation>
+    </message>
+    <message>
+        <source>Loading…</source>
+        <translation>Chargement…</translation>
+    </message>
+    <message>
+        <source>recorded in %1</source>
+        <translation>enregistré dans %1</translation>
+    </message>
+    <message>
+        <source>The walk has ended: there are no more pictures.</source>
+        <translation>Le parcours est terminé : il n&apos;y a plus d&apos;images.</translation>
+    </message>
+    <message>
+        <source>Play &amp;again</source>
+        <translation>Re&amp;lire</translation>
+    </message>
+    <message>
+        <source>Open another &amp;map…</source>
+        <translation>Ouvrir une autre &amp;carte…</translation>
+    </message>
+    <message>
+        <source>Open another &amp;library…</source>
+        <translation>Ouvrir une autre &amp;bibliothèque…</translation>
+    </message>
+    <message>
+        <source>Open other &amp;pictures…</source>
+        <translation>Ouvrir d&apos;autres &amp;images…</translation>
+    </message>
+    <message>
+        <source>The walk will be recorded from its next start.</source>
+        <translation>Le parcours sera enregistré à partir de son prochain départ.</translation>
+    </message>
+    <message>
+        <source>This walk is recorded to its end; the next one is not.</source>
+        <translation>Ce parcours est enregistré jusqu&apos;à sa fin ; le suivant ne l&apos;est pas.</translation>
+    </message>
+    <message>
+        <source>Start &amp;again now</source>
+        <translation>Recommencer &amp;maintenant</translation>
+    </message>
+    <message>
+        <source>Open a map</source>
+        <translation>Ouvrir une carte</translation>
+    </message>
+    <message>
+        <source>Maps (%1);;All files (%2)</source>
+        <translation>Cartes (%1);;Tous les fichiers (%2)</translation>
+    </message>
+    <message>
+        <source>Open a landmark library</source>
+        <translation>Ouvrir une bibliothèque de repères</translation>
+    </message>
+    <message>
+        <source>Landmark libraries (%1);;All files (%2)</source>
+        <translation>Bibliothèques de repères (%1);;Tous les fichiers (%2)</translation>
+    </message>
+    <message>
+        <source>Farol</source>
+        <translation>Farol</translation>
+    </message>
+    <message>
+        <source>%1 – Farol</source>
+        <translation>%1 – Farol</translation>
+    </message>
+    <message>
+        <source>Walk</source>
+        <translation>Parcours</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Carte</translation>
+    </message>
+    <message>
+        <source>Pages</source>
+        <translation>Pages</translation>
+    </message>
+    <message>
+        <source>Watch a walk, or work on a map (Ctrl+1, Ctrl+2)</source>
+        <translation>Suivre un parcours ou travailler sur une carte (Ctrl+1, Ctrl+2)</translation>
+    </message>
+    <message>
+        <source>State of the walk</source>
+        <translation>État du parcours</translation>
+    </message>
+    <message>
+        <source>Something is being loaded</source>
+        <translation>Un chargement est en cours</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::MapActions</name>
+    <message>
+        <source>&amp;Map</source>
+        <translation>&amp;Carte</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Carte</translation>
+    </message>
+    <message>
+        <source>&amp;Open map…</source>
+        <translation>&amp;Ouvrir une carte…</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Ouvrir</translation>
+    </message>
+    <message>
+        <source>Open the map of a building to look at it and change it</source>
+        <translation>Ouvrir la carte d&apos;un bâtiment pour la voir et la modifier</translation>
+    </message>
+    <message>
+        <source>&amp;Import…</source>
+        <translation>&amp;Importer…</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importer</translation>
+    </message>
+    <message>
+        <source>Bring in a map of another kind</source>
+        <translation>Reprendre une carte d&apos;un autre type</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Enregistrer</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Enregistrer</translation>
+    </message>
+    <message>
+        <source>Write the changes into the map&apos;s file</source>
+        <translation>Écrire les modifications dans le fichier de la carte</translation>
+    </message>
+    <message>
+        <source>S&amp;ave as…</source>
+        <translation>E&amp;nregistrer sous…</translation>
+    </message>
+    <message>
+        <source>Save as</source>
+        <translation>Enregistrer sous</translation>
+    </message>
+    <message>
+        <source>Write the map into another file</source>
+        <translation>Écrire la carte dans un autre fichier</translation>
+    </message>
+    <message>
+        <source>&amp;Print as PDF…</source>
+        <translation>Im&amp;primer en PDF…</translation>
+    </message>
+    <message>
+        <source>PDF</source>
+        <translation>PDF</translation>
+    </message>
+    <message>
+        <source>Write the plan of each level as a page of a PDF</source>
+        <translation>Écrire le plan de chaque niveau comme page d&apos;un PDF</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Annuler</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Take back the last change</source>
+        <translation>Revenir sur la dernière modification</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Rétablir</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Rétablir</translation>
+    </message>
+    <message>
+        <source>Make the change again that was taken back</source>
+        <translation>Refaire la modification annulée</translation>
+    </message>
+    <message>
+        <source>Add &amp;landmark</source>
+        <translation>Ajouter &amp;un repère</translation>
+    </message>
+    <message>
+        <source>Landmark</source>
+        <translation>Repère</translation>
+    </message>
+    <message>
+        <source>Put a new landmark on the plan</source>
+        <translation>Placer un nouveau repère sur le plan</translation>
+    </message>
+    <message>
+        <source>Add &amp;door or passage</source>
+        <translation>Ajouter une por&amp;te ou un passage</translation>
+    </message>
+    <message>
+        <source>Door</source>
+        <translation>Porte</translation>
+    </message>
+    <message>
+        <source>Put a new door or passage on the plan</source>
+        <translation>Placer une nouvelle porte ou un nouveau passage sur le plan</translation>
+    </message>
+    <message>
+        <source>&amp;Change…</source>
+        <translation>&amp;Modifier…</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Modifier</translation>
+    </message>
+    <message>
+        <source>Change name, kind and the like of what is chosen</source>
+        <translation>Modifier nom, type et autres de la sélection</translation>
+    </message>
+    <message>
+        <source>D&amp;elete</source>
+        <translation>&amp;Supprimer</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Supprimer</translation>
+    </message>
+    <message>
+        <source>Take the chosen landmark, door or passage off the map</source>
+        <translation>Retirer de la carte le repère, la porte ou le passage choisi</translation>
+    </message>
+    <message>
+        <source>Route &amp;from here</source>
+        <translation>Itinéraire &amp;d&apos;ici</translation>
+    </message>
+    <message>
+        <source>From here</source>
+        <translation>D&apos;ici</translation>
+    </message>
+    <message>
+        <source>Let the route begin in the chosen place</source>
+        <translation>Faire commencer l&apos;itinéraire au lieu choisi</translation>
+    </message>
+    <message>
+        <source>Route &amp;to here</source>
+        <translation>Itinéraire &amp;jusqu&apos;ici</translation>
+    </message>
+    <message>
+        <source>To here</source>
+        <translation>Jusqu&apos;ici</translation>
+    </message>
+    <message>
+        <source>Let the route end in the chosen place</source>
+        <translation>Faire finir l&apos;itinéraire au lieu choisi</translation>
+    </message>
+    <message>
+        <source>Sea&amp;rch the table</source>
+        <translation>C&amp;hercher dans le tableau</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Chercher</translation>
+    </message>
+    <message>
+        <source>Search the table of attributes</source>
+        <translation>Chercher dans le tableau des attributs</translation>
+    </message>
+    <message>
+        <source>C&amp;heck the map</source>
+        <translation>&amp;Vérifier la carte</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>Vérifier</translation>
+    </message>
+    <message>
+        <source>Look for what is wrong with the map as it is now</source>
+        <translation>Chercher ce qui ne va pas dans la carte telle qu&apos;elle est</translation>
+    </message>
+    <message>
+        <source>&amp;Next feature</source>
+        <translation>É&amp;lément suivant</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Suivant</translation>
+    </message>
+    <message>
+        <source>Show the next feature of the chosen finding</source>
+        <translation>Montrer l&apos;élément suivant du constat choisi</translation>
+    </message>
+    <message>
+        <source>Places that look ali&amp;ke</source>
+        <translation>Lieu&amp;x qui se ressemblent</translation>
+    </message>
+    <message>
+        <source>Alike</source>
+        <translation>Semblables</translation>
+    </message>
+    <message>
+        <source>Mark the places that the landmarks cannot tell apart, and those without any</source>
+        <translation>Marquer les lieux que les repères ne distinguent pas et ceux qui n&apos;en ont aucun</translation>
+    </message>
+    <message>
+        <source>&amp;Walk with this map</source>
+        <translation>Par&amp;courir avec cette carte</translation>
+    </message>
+    <message>
+        <source>Walk</source>
+        <translation>Parcours</translation>
+    </message>
+    <message>
+        <source>Use the saved map on the Walk page</source>
+        <translation>Utiliser la carte enregistrée sur la page Parcours</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::MapPage</name>
+    <message>
+        <source>Saved in %1</source>
+        <translation>Enregistré dans %1</translation>
+    </message>
+    <message>
+        <source>Open a map</source>
+        <translation>Ouvrir une carte</translation>
+    </message>
+    <message>
+        <source>Maps (%1);;All files (%2)</source>
+        <translation>Cartes (%1);;Tous les fichiers (%2)</translation>
+    </message>
+    <message>
+        <source>Save the map</source>
+        <translation>Enregistrer la carte</translation>
+    </message>
+    <message>
+        <source>Maps (%1)</source>
+        <translation>Cartes (%1)</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Modifications non enregistrées</translation>
+    </message>
+    <message>
+        <source>The map has changes that are not saved.</source>
+        <translation>La carte contient des modifications non enregistrées.</translation>
+    </message>
+    <message>
+        <source>Save them first?</source>
+        <translation>Les enregistrer d&apos;abord ?</translation>
+    </message>
+    <message>
+        <source>Imported from %1. Look at what was found, then save it as a map of Farol.</source>
+        <translation>Importé de %1. Regardez ce qui a été trouvé, puis enregistrez-la comme carte de Farol.</translation>
+    </message>
+    <message>
+        <source>Sa&amp;ve…</source>
+        <translation>&amp;Enregistrer…</translation>
+    </message>
+    <message>
+        <source>The map is being opened…</source>
+        <translation>La carte s&apos;ouvre…</translation>
+    </message>
+    <message>
+        <source>The map is being imported and checked…</source>
+        <translation>La carte est importée et vérifiée…</translation>
+    </message>
+    <message>
+        <source>The map is being saved…</source>
+        <translation>La carte est enregistrée…</translation>
+    </message>
+    <message>
+        <source>The map is being checked…</source>
+        <translation>La carte est vérifiée…</translation>
+    </message>
+    <message>
+        <source>Table</source>
+        <translation>Tableau</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>Vérification</translation>
+    </message>
+    <message>
+        <source>Route</source>
+        <translation>Itinéraire</translation>
+    </message>
+    <message>
+        <source>Parts of the map</source>
+        <translation>Parties de la carte</translation>
+    </message>
+    <message>
+        <source>Ca&amp;ncel</source>
+        <translation>A&amp;nnuler</translation>
+    </message>
+    <message>
+        <source>Give up; the map that was open stays</source>
+        <translation>Renoncer ; la carte ouverte reste</translation>
+    </message>
+    <message>
+        <source>Click where the landmark stands, or move the plan under the cross with the arrows and press Enter. Escape gives up.</source>
+        <translation>Cliquez là où se trouve le repère, ou déplacez le plan sous la croix avec les flèches et appuyez sur Entrée. Échap renonce.</translation>
+    </message>
+    <message>
+        <source>Click where the door is, or move the plan under the cross with the arrows and press Enter. Escape gives up.</source>
+        <translation>Cliquez là où se trouve la porte, ou déplacez le plan sous la croix avec les flèches et appuyez sur Entrée. Échap renonce.</translation>
+    </message>
+    <message>
+        <source>Add a landmark</source>
+        <translation>Ajouter un repère</translation>
+    </message>
+    <message>
+        <source>Add a door</source>
+        <translation>Ajouter une porte</translation>
+    </message>
+    <message>
+        <source>Change %1</source>
+        <translation>Modifier %1</translation>
+    </message>
+    <message>
+        <source>Delete %1</source>
+        <translation>Supprimer %1</translation>
+    </message>
+    <message>
+        <source>Deleted: %1. Ctrl+Z brings it back.</source>
+        <translation>Supprimé : %1. Ctrl+Z le ramène.</translation>
+    </message>
+    <message>
+        <source>Move %1</source>
+        <translation>Déplacer %1</translation>
+    </message>
+    <message>
+        <source>Print the plan</source>
+        <translation>Imprimer le plan</translation>
+    </message>
+    <message>
+        <source>PDF (%1)</source>
+        <translation>PDF (%1)</translation>
+    </message>
+    <message>
+        <source>Printed in %1</source>
+        <translation>Imprimé dans %1</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written. Choose another folder.</source>
+        <translation>%1 ne peut pas être écrit. Choisissez un autre dossier.</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::MapPanel</name>
+    <message>
+        <source>No map is open.</source>
+        <translation>Aucune carte n&apos;est ouverte.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n place(s) on the map.</source>
+        <translation>
+            <numerusform>%n lieu sur la carte.</numerusform>
+            <numerusform>%n lieux sur la carte.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Where you are is not known yet.</source>
+        <translation>On ne sait pas encore où vous êtes.</translation>
+    </message>
+    <message>
+        <source>You are in %1, %2: %3.</source>
+        <translation>Vous êtes ici : %1, %2 : %3.</translation>
+    </message>
+    <message>
+        <source>You are in %1: %2.</source>
+        <translation>Vous êtes ici : %1 : %2.</translation>
+    </message>
+    <message>
+        <source>&amp;Go to %1</source>
+        <translation>&amp;Aller à : %1</translation>
+    </message>
+    <message>
+        <source>&amp;Start at %1</source>
+        <translation>&amp;Partir de : %1</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Carte</translation>
+    </message>
+    <message>
+        <source>&amp;Level:</source>
+        <translation>&amp;Niveau :</translation>
+    </message>
+    <message>
+        <source>Level of the map</source>
+        <translation>Niveau de la carte</translation>
+    </message>
+    <message>
+        <source>The floor that the map shows (Page Up and Page Down in the map)</source>
+        <translation>L&apos;étage que montre la carte (Page préc. et Page suiv. sur la carte)</translation>
+    </message>
+    <message>
+        <source>&amp;Follow</source>
+        <translation>&amp;Suivre</translation>
+    </message>
+    <message>
+        <source>Follow</source>
+        <translation>Suivre</translation>
+    </message>
+    <message>
+        <source>Switch to the floor where you are whenever it changes</source>
+        <translation>Passer à l&apos;étage où vous êtes dès qu&apos;il change</translation>
+    </message>
+    <message>
+        <source>Larger (+)</source>
+        <translation>Plus grand (+)</translation>
+    </message>
+    <message>
+        <source>Smaller (-)</source>
+        <translation>Plus petit (-)</translation>
+    </message>
+    <message>
+        <source>Show the whole floor (0)</source>
+        <translation>Montrer tout l&apos;étage (0)</translation>
+    </message>
+    <message>
+        <source>Floor map</source>
+        <translation>Carte de l&apos;étage</translation>
+    </message>
+    <message>
+        <source>Drag to move, turn the wheel to zoom, double-click a place to go there</source>
+        <translation>Glissez pour déplacer, tournez la molette pour zoomer, double-cliquez sur un lieu pour y aller</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::MapView</name>
+    <message>
+        <source>Less likely</source>
+        <translation>Moins probable</translation>
+    </message>
+    <message>
+        <source>More likely</source>
+        <translation>Plus probable</translation>
+    </message>
+    <message>
+        <source>No map is open.
+Open one with Ctrl+O.</source>
+        <translation>Aucune carte n&apos;est ouverte.
+Ouvrez-en une avec Ctrl+O.</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::Phrasebook</name>
+    <message>
+        <source>I read: %1. %2.</source>
+        <extracomment>%1 what is written there, %2 &quot;left, up&quot;</extracomment>
+        <translation>Je lis : %1. %2.</translation>
+    </message>
+    <message>
+        <source>I have found the way.</source>
+        <translation>J&apos;ai trouvé le chemin.</translation>
+    </message>
+    <message>
+        <source>Destination: %1.</source>
+        <translation>Destination : %1.</translation>
+    </message>
+    <message>
+        <source>Then</source>
+        <translation>Puis</translation>
+    </message>
+    <message>
+        <source>First</source>
+        <translation>D&apos;abord</translation>
+    </message>
+    <message>
+        <source>First, probably</source>
+        <translation>D&apos;abord, probablement</translation>
+    </message>
+    <message>
+        <source>Start slowly: I will tell you if it is the wrong way.</source>
+        <translation>Commencez lentement : je vous dirai si c&apos;est le mauvais sens.</translation>
+    </message>
+    <message>
+        <source>Probably %1 first.</source>
+        <extracomment>%1 &quot;turn left&quot;, &quot;turn around&quot;</extracomment>
+        <translation>D&apos;abord, probablement : %1.</translation>
+    </message>
+    <message>
+        <source>Soon</source>
+        <translation>Bientôt</translation>
+    </message>
+    <message>
+        <source>Soon, probably</source>
+        <translation>Bientôt, probablement</translation>
+    </message>
+    <message>
+        <source>Keep moving forward. You are probably on the right way.</source>
+        <translation>Continuez d&apos;avancer. Vous êtes probablement sur le bon chemin.</translation>
+    </message>
+    <message>
+        <source>Keep moving forward.</source>
+        <translation>Continuez d&apos;avancer.</translation>
+    </message>
+    <message>
+        <source>Now turn slowly to the left, past where you began.</source>
+        <translation>Maintenant, tournez-vous lentement vers la gauche, au-delà de votre point de départ.</translation>
+    </message>
+    <message>
+        <source>Hold still, and tilt the camera slowly up.</source>
+        <translation>Ne bougez plus et inclinez lentement la caméra vers le haut.</translation>
+    </message>
+    <message>
+        <source>Now tilt it slowly down.</source>
+        <translation>Maintenant, inclinez-la lentement vers le bas.</translation>
+    </message>
+    <message>
+        <source>I still do not know where you are. If you can, move a few steps along a wall, or ask for help.</source>
+        <translation>Je ne sais toujours pas où vous êtes. Si vous pouvez, faites quelques pas le long d&apos;un mur, ou demandez de l&apos;aide.</translation>
+    </message>
+    <message>
+        <source>Thank you, that is enough.</source>
+        <translation>Merci, cela suffit.</translation>
+    </message>
+    <message>
+        <source>I am not sure where you are. Stop, and turn slowly to the right, so that I can look around.</source>
+        <translation>Je ne sais pas bien où vous êtes. Arrêtez-vous et tournez-vous lentement vers la droite, pour que je puisse regarder autour de vous.</translation>
+    </message>
+    <message>
+        <source>You have arrived.</source>
+        <translation>Vous êtes à destination.</translation>
+    </message>
+    <message>
+        <source>You have probably arrived.</source>
+        <translation>Vous êtes probablement à destination.</translation>
+    </message>
+    <message>
+        <source>You have arrived: %1.</source>
+        <translation>Vous êtes à destination : %1.</translation>
+    </message>
+    <message>
+        <source>You have probably arrived: %1.</source>
+        <translation>Vous êtes probablement à destination : %1.</translation>
+    </message>
+    <message>
+        <source>You are walking the wrong way.</source>
+        <translation>Vous allez dans le mauvais sens.</translation>
+    </message>
+    <message>
+        <source>You are probably walking the wrong way.</source>
+        <translation>Vous allez probablement dans le mauvais sens.</translation>
+    </message>
+    <message>
+        <source>You have gone too far.</source>
+        <translation>Vous avez trop avancé.</translation>
+    </message>
+    <message>
+        <source>You have probably gone too far.</source>
+        <translation>Vous avez probablement trop avancé.</translation>
+    </message>
+    <message>
+        <source>You have left the route.</source>
+        <translation>Vous avez quitté l&apos;itinéraire.</translation>
+    </message>
+    <message>
+        <source>You have probably left the route.</source>
+        <translation>Vous avez probablement quitté l&apos;itinéraire.</translation>
+    </message>
+    <message>
+        <source>Stop. I know no way from here.</source>
+        <translation>Arrêtez-vous. Je ne connais aucun chemin à partir d&apos;ici.</translation>
+    </message>
+    <message>
+        <source>Stop for a moment.</source>
+        <translation>Arrêtez-vous un instant.</translation>
+    </message>
+    <message>
+        <source>From here</source>
+        <translation>À partir d&apos;ici</translation>
+    </message>
+    <message>
+        <source>I do not know yet where you are.</source>
+        <translation>Je ne sais pas encore où vous êtes.</translation>
+    </message>
+    <message>
+        <source>You are here: %1.</source>
+        <translation>Vous êtes ici : %1.</translation>
+    </message>
+    <message>
+        <source>You are probably here, or next to it: %1.</source>
+        <translation>Vous êtes probablement ici, ou juste à côté : %1.</translation>
+    </message>
+    <message>
+        <source>up</source>
+        <translation>en haut</translation>
+    </message>
+    <message>
+        <source>down</source>
+        <translation>en bas</translation>
+    </message>
+    <message>
+        <source>%1, %2.</source>
+        <extracomment>%1 &quot;extinguisher&quot;, %2 &quot;left, down&quot;</extracomment>
+        <translation>%1, %2.</translation>
+    </message>
+    <message>
+        <source>perhaps: %1, %2.</source>
+        <translation>peut-être : %1, %2.</translation>
+    </message>
+    <message>
+        <source>No destination is chosen yet. Choose one first.</source>
+        <translation>Aucune destination n&apos;est encore choisie. Choisissez-en une d&apos;abord.</translation>
+    </message>
+    <message>
+        <source>I do not know this destination. Choose another one.</source>
+        <translation>Je ne connais pas cette destination. Choisissez-en une autre.</translation>
+    </message>
+    <message>
+        <source>I do not know this destination: %1. Choose another one.</source>
+        <translation>Je ne connais pas cette destination : %1. Choisissez-en une autre.</translation>
+    </message>
+    <message>
+        <source>I know no way to your destination. Choose another one, or ask for help.</source>
+        <translation>Je ne connais aucun chemin vers votre destination. Choisissez-en une autre, ou demandez de l&apos;aide.</translation>
+    </message>
+    <message>
+        <source>I know no way to: %1. Choose another destination, or ask for help.</source>
+        <translation>Je ne connais aucun chemin vers cette destination : %1. Choisissez-en une autre, ou demandez de l&apos;aide.</translation>
+    </message>
+    <message>
+        <source>You are already there.</source>
+        <translation>Vous y êtes déjà.</translation>
+    </message>
+    <message>
+        <source>You are probably there already.</source>
+        <translation>Vous y êtes probablement déjà.</translation>
+    </message>
+    <message>
+        <source>You are already there: %1.</source>
+        <translation>Vous y êtes déjà : %1.</translation>
+    </message>
+    <message>
+        <source>You are probably there already: %1.</source>
+        <translation>Vous y êtes probablement déjà : %1.</translation>
+    </message>
+    <message>
+        <source>near you</source>
+        <translation>près de vous</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <comment>what is around</comment>
+        <extracomment>%1 &quot;a door&quot;, %2 a name</extracomment>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>I know of nothing near you.</source>
+        <translation>Je ne connais rien tout près.</translation>
+    </message>
+    <message>
+        <source>The directions are those of your way.</source>
+        <translation>Les directions sont celles de votre chemin.</translation>
+    </message>
+    <message>
+        <source>The directions are those of the map.</source>
+        <translation>Les directions sont celles du plan.</translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <comment>what is around</comment>
+        <extracomment>%1 &quot;on your left&quot;, %2 &quot;a door, Library; an extinguisher&quot;</extracomment>
+        <translation>%1 : %2.</translation>
+    </message>
+    <message>
+        <source>Stop. The camera gives no picture, and I cannot guide you.</source>
+        <translation>Arrêtez-vous. La caméra ne donne pas d&apos;image, et je ne peux pas vous guider.</translation>
+    </message>
+    <message>
+        <source>The camera works again.</source>
+        <translation>La caméra fonctionne de nouveau.</translation>
+    </message>
+    <message>
+        <source>The recording has stopped. I keep guiding you.</source>
+        <translation>L&apos;enregistrement s&apos;est arrêté. Je continue de vous guider.</translation>
+    </message>
+    <message>
+        <source>Stop. I cannot see. Please uncover the camera.</source>
+        <translation>Arrêtez-vous. Je ne vois rien. Découvrez la caméra, s&apos;il vous plaît.</translation>
+    </message>
+    <message>
+        <source>One picture could not be used. I keep guiding you.</source>
+        <translation>Une image n&apos;a pas pu être utilisée. Je continue de vous guider.</translation>
+    </message>
+    <message>
+        <source>Stop. Something is wrong. Please ask for help.</source>
+        <translation>Arrêtez-vous. Quelque chose ne va pas. Demandez de l&apos;aide, s&apos;il vous plaît.</translation>
+    </message>
+    <message numerus="yes">
+        <source>About %n foot(feet).</source>
+        <comment>length of the route</comment>
+        <translation>
+            <numerusform>Environ un pied.</numerusform>
+            <numerusform>Environ %n pieds.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>About %n step(s).</source>
+        <comment>length of the route</comment>
+        <translation>
+            <numerusform>Environ un pas.</numerusform>
+            <numerusform>Environ %n pas.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>About %n metre(s).</source>
+        <comment>length of the route</comment>
+        <translation>
+            <numerusform>Environ un mètre.</numerusform>
+            <numerusform>Environ %n mètres.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>In about %n foot(feet)</source>
+        <comment>then what is there</comment>
+        <translation>
+            <numerusform>Dans environ un pied</numerusform>
+            <numerusform>Dans environ %n pieds</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>In about %n step(s)</source>
+        <comment>then what is there</comment>
+        <translation>
+            <numerusform>Dans environ un pas</numerusform>
+            <numerusform>Dans environ %n pas</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>In about %n metre(s)</source>
+        <comment>then what is there</comment>
+        <translation>
+            <numerusform>Dans environ un mètre</numerusform>
+            <numerusform>Dans environ %n mètres</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Keep moving forward for about %n foot(feet).</source>
+        <translation>
+            <numerusform>Continuez d&apos;avancer sur environ un pied.</numerusform>
+            <numerusform>Continuez d&apos;avancer sur environ %n pieds.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Keep moving forward for about %n step(s).</source>
+        <translation>
+            <numerusform>Continuez d&apos;avancer d&apos;environ un pas.</numerusform>
+            <numerusform>Continuez d&apos;avancer d&apos;environ %n pas.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Keep moving forward for about %n metre(s).</source>
+        <translation>
+            <numerusform>Continuez d&apos;avancer sur environ un mètre.</numerusform>
+            <numerusform>Continuez d&apos;avancer sur environ %n mètres.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>a door</source>
+        <translation>une porte</translation>
+    </message>
+    <message>
+        <source>an opening</source>
+        <translation>une ouverture</translation>
+    </message>
+    <message>
+        <source>stairs up</source>
+        <translation>un escalier qui monte</translation>
+    </message>
+    <message>
+        <source>stairs down</source>
+        <translation>un escalier qui descend</translation>
+    </message>
+    <message>
+        <source>stairs</source>
+        <translation>escalier</translation>
+    </message>
+    <message>
+        <source>a lift</source>
+        <translation>un ascenseur</translation>
+    </message>
+    <message>
+        <source>an escalator up</source>
+        <translation>un escalier mécanique qui monte</translation>
+    </message>
+    <message>
+        <source>an escalator down</source>
+        <translation>un escalier mécanique qui descend</translation>
+    </message>
+    <message>
+        <source>an escalator</source>
+        <translation>un escalier mécanique</translation>
+    </message>
+    <message>
+        <source>a ramp up</source>
+        <translation>une rampe qui monte</translation>
+    </message>
+    <message>
+        <source>a ramp down</source>
+        <translation>une rampe qui descend</translation>
+    </message>
+    <message>
+        <source>a ramp</source>
+        <translation>une rampe</translation>
+    </message>
+    <message>
+        <source>The door is %1.</source>
+        <translation>La porte est %1.</translation>
+    </message>
+    <message>
+        <source>The door is probably %1.</source>
+        <translation>La porte est probablement %1.</translation>
+    </message>
+    <message>
+        <source>The opening is %1.</source>
+        <translation>L&apos;ouverture est %1.</translation>
+    </message>
+    <message>
+        <source>The opening is probably %1.</source>
+        <translation>L&apos;ouverture est probablement %1.</translation>
+    </message>
+    <message>
+        <source>The stairs are %1.</source>
+        <translation>L&apos;escalier est %1.</translation>
+    </message>
+    <message>
+        <source>The stairs are probably %1.</source>
+        <translation>L&apos;escalier est probablement %1.</translation>
+    </message>
+    <message>
+        <source>The lift is %1.</source>
+        <translation>L&apos;ascenseur est %1.</translation>
+    </message>
+    <message>
+        <source>The lift is probably %1.</source>
+        <translation>L&apos;ascenseur est probablement %1.</translation>
+    </message>
+    <message>
+        <source>The escalator is %1.</source>
+        <translation>L&apos;escalier mécanique est %1.</translation>
+    </message>
+    <message>
+        <source>The escalator is probably %1.</source>
+        <translation>L&apos;escalier mécanique est probablement %1.</translation>
+    </message>
+    <message>
+        <source>The ramp is %1.</source>
+        <translation>La rampe est %1.</translation>
+    </message>
+    <message>
+        <source>The ramp is probably %1.</source>
+        <translation>La rampe est probablement %1.</translation>
+    </message>
+    <message>
+        <source>You are probably near the door.</source>
+        <translation>Vous êtes probablement près de la porte.</translation>
+    </message>
+    <message>
+        <source>You are probably near the opening.</source>
+        <translation>Vous êtes probablement près de l&apos;ouverture.</translation>
+    </message>
+    <message>
+        <source>Careful: you are probably near the stairs.</source>
+        <translation>Attention : vous êtes probablement près de l&apos;escalier.</translation>
+    </message>
+    <message>
+        <source>You are probably near the lift.</source>
+        <translation>Vous êtes probablement près de l&apos;ascenseur.</translation>
+    </message>
+    <message>
+        <source>Careful: you are probably near the escalator.</source>
+        <translation>Attention : vous êtes probablement près de l&apos;escalier mécanique.</translation>
+    </message>
+    <message>
+        <source>You are probably near the ramp.</source>
+        <translation>Vous êtes probablement près de la rampe.</translation>
+    </message>
+    <message>
+        <source>You are probably where you have to turn.</source>
+        <translation>Vous êtes probablement là où il faut tourner.</translation>
+    </message>
+    <message>
+        <source>take the stairs up</source>
+        <translation>montez l&apos;escalier</translation>
+    </message>
+    <message>
+        <source>take the stairs down</source>
+        <translation>descendez l&apos;escalier</translation>
+    </message>
+    <message>
+        <source>take the stairs, but feel first whether they go up or down</source>
+        <translation>prenez l&apos;escalier, mais vérifiez d&apos;abord du pied s&apos;il monte ou descend</translation>
+    </message>
+    <message>
+        <source>take the lift up</source>
+        <translation>prenez l&apos;ascenseur pour monter</translation>
+    </message>
+    <message>
+        <source>take the lift down</source>
+        <translation>prenez l&apos;ascenseur pour descendre</translation>
+    </message>
+    <message>
+        <source>take the lift</source>
+        <translation>prenez l&apos;ascenseur</translation>
+    </message>
+    <message>
+        <source>take the escalator up</source>
+        <translation>prenez l&apos;escalier mécanique pour monter</translation>
+    </message>
+    <message>
+        <source>take the escalator down</source>
+        <translation>prenez l&apos;escalier mécanique pour descendre</translation>
+    </message>
+    <message>
+        <source>take the escalator, but feel first whether it goes up or down</source>
+        <translation>prenez l&apos;escalier mécanique, mais vérifiez d&apos;abord s&apos;il monte ou descend</translation>
+    </message>
+    <message>
+        <source>go up the ramp</source>
+        <translation>montez la rampe</translation>
+    </message>
+    <message>
+        <source>go down the ramp</source>
+        <translation>descendez la rampe</translation>
+    </message>
+    <message>
+        <source>follow the ramp</source>
+        <translation>suivez la rampe</translation>
+    </message>
+    <message>
+        <source>ahead</source>
+        <translation>devant vous</translation>
+    </message>
+    <message>
+        <source>next</source>
+        <comment>door or opening</comment>
+        <translation>prochaine</translation>
+    </message>
+    <message>
+        <source>get out of the lift</source>
+        <translation>sortez de l&apos;ascenseur</translation>
+    </message>
+    <message>
+        <source>go into the lift</source>
+        <translation>entrez dans l&apos;ascenseur</translation>
+    </message>
+    <message>
+        <source>go into the lift %1</source>
+        <translation>entrez dans l&apos;ascenseur %1</translation>
+    </message>
+    <message>
+        <source>go straight on through two doors in a row</source>
+        <translation>continuez tout droit par deux portes qui se suivent</translation>
+    </message>
+    <message>
+        <source>go straight on through two openings in a row</source>
+        <translation>continuez tout droit par deux ouvertures qui se suivent</translation>
+    </message>
+    <message>
+        <source>go straight on through the door</source>
+        <translation>continuez tout droit par la porte</translation>
+    </message>
+    <message>
+        <source>go straight on through the opening</source>
+        <translation>continuez tout droit par l&apos;ouverture</translation>
+    </message>
+    <message>
+        <source>go through the door</source>
+        <translation>passez par la porte</translation>
+    </message>
+    <message>
+        <source>go through the opening</source>
+        <translation>passez par l&apos;ouverture</translation>
+    </message>
+    <message>
+        <source>go through the door %1</source>
+        <translation>passez par la porte %1</translation>
+    </message>
+    <message>
+        <source>go through the opening %1</source>
+        <translation>passez par l&apos;ouverture %1</translation>
+    </message>
+    <message>
+        <source>go through the %1 door %2</source>
+        <translation>passez par la %1 porte %2</translation>
+    </message>
+    <message>
+        <source>go through the %1 opening %2</source>
+        <translation>passez par la %1 ouverture %2</translation>
+    </message>
+    <message>
+        <source>%1, then %2</source>
+        <extracomment>%1 &quot;go through the door&quot;, %2 &quot;turn left&quot;</extracomment>
+        <translation>%1, puis %2</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <extracomment>%1 &quot;go through the door&quot;, %2 &quot;turning left&quot;</extracomment>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>move forward</source>
+        <translation>avancez</translation>
+    </message>
+    <message>
+        <source>your destination</source>
+        <translation>votre destination</translation>
+    </message>
+    <message>
+        <source>stay in the lift</source>
+        <translation>restez dans l&apos;ascenseur</translation>
+    </message>
+    <message>
+        <source>stay in the lift until: %1</source>
+        <translation>restez dans l&apos;ascenseur jusqu&apos;à : %1</translation>
+    </message>
+    <message>
+        <source>go straight on through the next door</source>
+        <translation>continuez tout droit par la prochaine porte</translation>
+    </message>
+    <message>
+        <source>go straight on through the next opening</source>
+        <translation>continuez tout droit par la prochaine ouverture</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <comment>what and where</comment>
+        <extracomment>%1 &quot;a door&quot;, %2 &quot;on your left&quot;
+----------
+%1 &quot;after the extinguisher&quot;, %2 &quot;on your left&quot;</extracomment>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>level %1</source>
+        <translation>niveau %1</translation>
+    </message>
+    <message>
+        <source>minus %1</source>
+        <translation>moins %1</translation>
+    </message>
+    <message>
+        <source>It is a long flight.</source>
+        <translation>Il y a beaucoup de marches.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n step(s).</source>
+        <translation>
+            <numerusform>Une marche.</numerusform>
+            <numerusform>%n marches.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Next: %1.</source>
+        <translation>Ensuite : %1.</translation>
+    </message>
+    <message>
+        <source>When you get out: %1.</source>
+        <translation>À la sortie : %1.</translation>
+    </message>
+    <message>
+        <source>At the top: %1.</source>
+        <translation>En haut : %1.</translation>
+    </message>
+    <message>
+        <source>At the bottom: %1.</source>
+        <translation>En bas : %1.</translation>
+    </message>
+    <message>
+        <source>Inside, choose: %1.</source>
+        <translation>À l&apos;intérieur, choisissez : %1.</translation>
+    </message>
+    <message>
+        <source>Then, straight away, %1.</source>
+        <translation>Puis, tout de suite, %1.</translation>
+    </message>
+    <message>
+        <source>%1: your destination.</source>
+        <translation>%1 : votre destination.</translation>
+    </message>
+    <message>
+        <source>%1: your destination, %2.</source>
+        <translation>%1 : votre destination, %2.</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <comment>mark</comment>
+        <extracomment>%1 &quot;turn left&quot;, %2 &quot;after the extinguisher&quot;</extracomment>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <comment>when, what comes</comment>
+        <extracomment>%1 &quot;Soon&quot;, %2 &quot;stairs up&quot;</extracomment>
+        <translation>%1 : %2.</translation>
+    </message>
+    <message>
+        <source>%1, %2.</source>
+        <comment>when, what to do</comment>
+        <extracomment>%1 &quot;Soon&quot;, %2 &quot;go through the door&quot;</extracomment>
+        <translation>%1, %2.</translation>
+    </message>
+    <message>
+        <source>%1: a bend. Follow it, %2.</source>
+        <extracomment>%1 &quot;First&quot;, %2 &quot;turning left&quot;</extracomment>
+        <translation>%1 : un virage. Suivez-le, %2.</translation>
+    </message>
+    <message>
+        <source>Your destination is here.</source>
+        <translation>Votre destination est ici.</translation>
+    </message>
+    <message>
+        <source>Your destination is probably here.</source>
+        <translation>Votre destination est probablement ici.</translation>
+    </message>
+    <message>
+        <source>Your destination is here: %1.</source>
+        <translation>Votre destination est ici : %1.</translation>
+    </message>
+    <message>
+        <source>Your destination is probably here: %1.</source>
+        <translation>Votre destination est probablement ici : %1.</translation>
+    </message>
+    <message numerus="yes">
+        <source>And %n more thing(s) to do after that.</source>
+        <translation>
+            <numerusform>Et après cela, encore une chose à faire.</numerusform>
+            <numerusform>Et après cela, encore %n choses à faire.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>known place</source>
+        <translation>lieu connu</translation>
+    </message>
+    <message>
+        <source>door</source>
+        <translation>porte</translation>
+    </message>
+    <message>
+        <source>lift</source>
+        <translation>ascenseur</translation>
+    </message>
+    <message>
+        <source>extinguisher</source>
+        <translation>extincteur</translation>
+    </message>
+    <message>
+        <source>exit sign</source>
+        <translation>panneau de sortie</translation>
+    </message>
+    <message>
+        <source>sign</source>
+        <translation>panneau</translation>
+    </message>
+    <message>
+        <source>text</source>
+        <translation>texte</translation>
+    </message>
+    <message>
+        <source>rectangular shape</source>
+        <translation>forme rectangulaire</translation>
+    </message>
+    <message>
+        <source>window</source>
+        <translation>fenêtre</translation>
+    </message>
+    <message>
+        <source>locker</source>
+        <translation>casier</translation>
+    </message>
+    <message>
+        <source>poster</source>
+        <translation>affiche</translation>
+    </message>
+    <message>
+        <source>drinking fountain</source>
+        <translation>fontaine à eau</translation>
+    </message>
+    <message>
+        <source>hydrant</source>
+        <translation>bouche d&apos;incendie</translation>
+    </message>
+    <message>
+        <source>vending machine</source>
+        <translation>distributeur automatique</translation>
+    </message>
+    <message>
+        <source>waste bin</source>
+        <translation>poubelle</translation>
+    </message>
+    <message>
+        <source>plant</source>
+        <translation>plante</translation>
+    </message>
+    <message>
+        <source>piece of furniture</source>
+        <translation>meuble</translation>
+    </message>
+    <message>
+        <source>picture</source>
+        <translation>tableau</translation>
+    </message>
+    <message>
+        <source>object</source>
+        <translation>objet</translation>
+    </message>
+    <message>
+        <source>an extinguisher</source>
+        <translation>un extincteur</translation>
+    </message>
+    <message>
+        <source>an exit sign</source>
+        <translation>un panneau de sortie</translation>
+    </message>
+    <message>
+        <source>a sign</source>
+        <translation>un panneau</translation>
+    </message>
+    <message>
+        <source>a text</source>
+        <translation>un texte</translation>
+    </message>
+    <message>
+        <source>a window</source>
+        <translation>une fenêtre</translation>
+    </message>
+    <message>
+        <source>a locker</source>
+        <translation>un casier</translation>
+    </message>
+    <message>
+        <source>a poster</source>
+        <translation>une affiche</translation>
+    </message>
+    <message>
+        <source>a drinking fountain</source>
+        <translation>une fontaine à eau</translation>
+    </message>
+    <message>
+        <source>a hydrant</source>
+        <translation>une bouche d&apos;incendie</translation>
+    </message>
+    <message>
+        <source>a vending machine</source>
+        <translation>un distributeur automatique</translation>
+    </message>
+    <message>
+        <source>a waste bin</source>
+        <translation>une poubelle</translation>
+    </message>
+    <message>
+        <source>a plant</source>
+        <translation>une plante</translation>
+    </message>
+    <message>
+        <source>a piece of furniture</source>
+        <translation>un meuble</translation>
+    </message>
+    <message>
+        <source>a picture</source>
+        <translation>un tableau</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>à gauche</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>à droite</translation>
+    </message>
+    <message>
+        <source>centre</source>
+        <translation>au centre</translation>
+    </message>
+    <message>
+        <source>1 o&apos;clock</source>
+        <translation>une heure</translation>
+    </message>
+    <message>
+        <source>2 o&apos;clock</source>
+        <translation>deux heures</translation>
+    </message>
+    <message>
+        <source>3 o&apos;clock</source>
+        <translation>trois heures</translation>
+    </message>
+    <message>
+        <source>4 o&apos;clock</source>
+        <translation>quatre heures</translation>
+    </message>
+    <message>
+        <source>5 o&apos;clock</source>
+        <translation>cinq heures</translation>
+    </message>
+    <message>
+        <source>6 o&apos;clock</source>
+        <translation>six heures</translation>
+    </message>
+    <message>
+        <source>7 o&apos;clock</source>
+        <translation>sept heures</translation>
+    </message>
+    <message>
+        <source>8 o&apos;clock</source>
+        <translation>huit heures</translation>
+    </message>
+    <message>
+        <source>9 o&apos;clock</source>
+        <translation>neuf heures</translation>
+    </message>
+    <message>
+        <source>10 o&apos;clock</source>
+        <translation>dix heures</translation>
+    </message>
+    <message>
+        <source>11 o&apos;clock</source>
+        <translation>onze heures</translation>
+    </message>
+    <message>
+        <source>12 o&apos;clock</source>
+        <translation>midi</translation>
+    </message>
+    <message>
+        <source>go straight on</source>
+        <translation>continuez tout droit</translation>
+    </message>
+    <message>
+        <source>turn to %1</source>
+        <comment>one o&apos;clock</comment>
+        <extracomment>%1 is an hour, such as &quot;9 o&apos;clock&quot;</extracomment>
+        <translation>tournez vers %1</translation>
+    </message>
+    <message>
+        <source>turn to %1</source>
+        <translation>tournez vers %1</translation>
+    </message>
+    <message>
+        <source>turn around</source>
+        <translation>faites demi-tour</translation>
+    </message>
+    <message>
+        <source>turn %1 degrees to the left</source>
+        <translation>tournez de %1 degrés à gauche</translation>
+    </message>
+    <message>
+        <source>turn %1 degrees to the right</source>
+        <translation>tournez de %1 degrés à droite</translation>
+    </message>
+    <message>
+        <source>turn slightly left</source>
+        <translation>tournez légèrement à gauche</translation>
+    </message>
+    <message>
+        <source>turn left</source>
+        <translation>tournez à gauche</translation>
+    </message>
+    <message>
+        <source>turn sharply left</source>
+        <translation>tournez fortement à gauche</translation>
+    </message>
+    <message>
+        <source>turn slightly right</source>
+        <translation>tournez légèrement à droite</translation>
+    </message>
+    <message>
+        <source>turn right</source>
+        <translation>tournez à droite</translation>
+    </message>
+    <message>
+        <source>turn sharply right</source>
+        <translation>tournez fortement à droite</translation>
+    </message>
+    <message>
+        <source>turn slightly left</source>
+        <comment>on the spot</comment>
+        <translation>tournez-vous légèrement vers la gauche</translation>
+    </message>
+    <message>
+        <source>turn left</source>
+        <comment>on the spot</comment>
+        <translation>tournez-vous vers la gauche</translation>
+    </message>
+    <message>
+        <source>turn sharply left</source>
+        <comment>on the spot</comment>
+        <translation>tournez-vous fortement vers la gauche</translation>
+    </message>
+    <message>
+        <source>turn slightly right</source>
+        <comment>on the spot</comment>
+        <translation>tournez-vous légèrement vers la droite</translation>
+    </message>
+    <message>
+        <source>turn right</source>
+        <comment>on the spot</comment>
+        <translation>tournez-vous vers la droite</translation>
+    </message>
+    <message>
+        <source>turn sharply right</source>
+        <comment>on the spot</comment>
+        <translation>tournez-vous fortement vers la droite</translation>
+    </message>
+    <message>
+        <source>turning to %1</source>
+        <comment>one o&apos;clock</comment>
+        <extracomment>%1 is an hour, such as &quot;9 o&apos;clock&quot;</extracomment>
+        <translation>en tournant vers %1</translation>
+    </message>
+    <message>
+        <source>turning to %1</source>
+        <translation>en tournant vers %1</translation>
+    </message>
+    <message>
+        <source>turning around</source>
+        <translation>en faisant demi-tour</translation>
+    </message>
+    <message>
+        <source>turning %1 degrees to the left</source>
+        <translation>en tournant de %1 degrés à gauche</translation>
+    </message>
+    <message>
+        <source>turning %1 degrees to the right</source>
+        <translation>en tournant de %1 degrés à droite</translation>
+    </message>
+    <message>
+        <source>turning slightly left</source>
+        <translation>en tournant légèrement à gauche</translation>
+    </message>
+    <message>
+        <source>turning left</source>
+        <translation>en tournant à gauche</translation>
+    </message>
+    <message>
+        <source>turning sharply left</source>
+        <translation>en tournant fortement à gauche</translation>
+    </message>
+    <message>
+        <source>turning slightly right</source>
+        <translation>en tournant légèrement à droite</translation>
+    </message>
+    <message>
+        <source>turning right</source>
+        <translation>en tournant à droite</translation>
+    </message>
+    <message>
+        <source>turning sharply right</source>
+        <translation>en tournant fortement à droite</translation>
+    </message>
+    <message>
+        <source>on your left</source>
+        <translation>à votre gauche</translation>
+    </message>
+    <message>
+        <source>on your right</source>
+        <translation>à votre droite</translation>
+    </message>
+    <message>
+        <source>at %1</source>
+        <comment>one o&apos;clock</comment>
+        <extracomment>%1 is an hour, such as &quot;9 o&apos;clock&quot;</extracomment>
+        <translation>à %1</translation>
+    </message>
+    <message>
+        <source>at %1</source>
+        <translation>à %1</translation>
+    </message>
+    <message>
+        <source>straight ahead</source>
+        <translation>droit devant vous</translation>
+    </message>
+    <message>
+        <source>behind you</source>
+        <translation>derrière vous</translation>
+    </message>
+    <message>
+        <source>%1 degrees to your right</source>
+        <translation>à %1 degrés sur votre droite</translation>
+    </message>
+    <message>
+        <source>%1 degrees to your left</source>
+        <translation>à %1 degrés sur votre gauche</translation>
+    </message>
+    <message>
+        <source>ahead, slightly to your right</source>
+        <translation>devant vous, légèrement à droite</translation>
+    </message>
+    <message>
+        <source>behind you, on the right</source>
+        <translation>derrière vous, à droite</translation>
+    </message>
+    <message>
+        <source>behind you, on the left</source>
+        <translation>derrière vous, à gauche</translation>
+    </message>
+    <message>
+        <source>ahead, slightly to your left</source>
+        <translation>devant vous, légèrement à gauche</translation>
+    </message>
+    <message>
+        <source>first</source>
+        <comment>door or opening</comment>
+        <translation>première</translation>
+    </message>
+    <message>
+        <source>second</source>
+        <comment>door or opening</comment>
+        <translation>deuxième</translation>
+    </message>
+    <message>
+        <source>third</source>
+        <comment>door or opening</comment>
+        <translation>troisième</translation>
+    </message>
+    <message>
+        <source>fourth</source>
+        <comment>door or opening</comment>
+        <translation>quatrième</translation>
+    </message>
+    <message>
+        <source>fifth</source>
+        <comment>door or opening</comment>
+        <translation>cinquième</translation>
+    </message>
+    <message>
+        <source>sixth</source>
+        <comment>door or opening</comment>
+        <translation>sixième</translation>
+    </message>
+    <message>
+        <source>seventh</source>
+        <comment>door or opening</comment>
+        <translation>septième</translation>
+    </message>
+    <message>
+        <source>eighth</source>
+        <comment>door or opening</comment>
+        <translation>huitième</translation>
+    </message>
+    <message>
+        <source>after the extinguisher</source>
+        <translation>après l&apos;extincteur</translation>
+    </message>
+    <message>
+        <source>after the drinking fountain</source>
+        <translation>après la fontaine à eau</translation>
+    </message>
+    <message>
+        <source>after the hydrant</source>
+        <translation>après la bouche d&apos;incendie</translation>
+    </message>
+    <message>
+        <source>after the vending machine</source>
+        <translation>après le distributeur automatique</translation>
+    </message>
+    <message>
+        <source>after the waste bin</source>
+        <translation>après la poubelle</translation>
+    </message>
+    <message>
+        <source>after the plant</source>
+        <translation>après la plante</translation>
+    </message>
+    <message>
+        <source>after the locker</source>
+        <translation>après le casier</translation>
+    </message>
+    <message>
+        <source>a room</source>
+        <translation>une salle</translation>
+    </message>
+    <message>
+        <source>a corridor</source>
+        <translation>un couloir</translation>
+    </message>
+    <message>
+        <source>a hall</source>
+        <translation>un hall</translation>
+    </message>
+    <message>
+        <source>a stairwell</source>
+        <translation>une cage d&apos;escalier</translation>
+    </message>
+    <message>
+        <source>a toilet</source>
+        <translation>des toilettes</translation>
+    </message>
+    <message>
+        <source>outside the building</source>
+        <translation>hors du bâtiment</translation>
+    </message>
+    <message>
+        <source>to the north-east</source>
+        <translation>au nord-est</translation>
+    </message>
+    <message>
+        <source>to the east</source>
+        <translation>à l&apos;est</translation>
+    </message>
+    <message>
+        <source>to the south-east</source>
+        <translation>au sud-est</translation>
+    </message>
+    <message>
+        <source>to the south</source>
+        <translation>au sud</translation>
+    </message>
+    <message>
+        <source>to the south-west</source>
+        <translation>au sud-ouest</translation>
+    </message>
+    <message>
+        <source>to the west</source>
+        <translation>à l&apos;ouest</translation>
+    </message>
+    <message>
+        <source>to the north-west</source>
+        <translation>au nord-ouest</translation>
+    </message>
+    <message>
+        <source>to the north</source>
+        <translation>au nord</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::PlaceChooser</name>
+    <message>
+        <source>No such place</source>
+        <translation>Ce lieu n&apos;existe pas</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n places fit: choose one</source>
+        <translation>
+            <numerusform>%n lieu correspond : choisissez-le</numerusform>
+            <numerusform>%n lieux correspondent : choisissez-en un</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>&amp;Go to:</source>
+        <translation>&amp;Aller à :</translation>
+    </message>
+    <message>
+        <source>Destination</source>
+        <translation>Destination</translation>
+    </message>
+    <message>
+        <source>type a name or room number</source>
+        <translation>tapez un nom ou un numéro de salle</translation>
+    </message>
+    <message>
+        <source>Where to go: type part of a name, room number or level, then choose</source>
+        <translation>Où aller : tapez une partie d&apos;un nom, d&apos;un numéro de salle ou d&apos;un niveau, puis choisissez</translation>
+    </message>
+    <message>
+        <source>Start &amp;at:</source>
+        <translation>&amp;Partir de :</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Départ</translation>
+    </message>
+    <message>
+        <source>not known, Farol looks for it</source>
+        <translation>inconnu, Farol le cherche</translation>
+    </message>
+    <message>
+        <source>Where the walk starts, if you know it</source>
+        <translation>Où commence le parcours, si vous le savez</translation>
+    </message>
+    <message>
+        <source>F&amp;rom:</source>
+        <translation>&amp;De :</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>De</translation>
+    </message>
+    <message>
+        <source>Where the route begins: type part of a name, room number or level, then choose</source>
+        <translation>Où commence l&apos;itinéraire : tapez une partie d&apos;un nom, d&apos;un numéro de salle ou d&apos;un niveau, puis choisissez</translation>
+    </message>
+    <message>
+        <source>&amp;To:</source>
+        <translation>&amp;À :</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>À</translation>
+    </message>
+    <message>
+        <source>Where the route ends: type part of a name, room number or level, then choose</source>
+        <translation>Où finit l&apos;itinéraire : tapez une partie d&apos;un nom, d&apos;un numéro de salle ou d&apos;un niveau, puis choisissez</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>aucun</translation>
+    </message>
+    <message>
+        <source>Type part of a name, room number or level, then choose</source>
+        <translation>Tapez une partie d&apos;un nom, d&apos;un numéro de salle ou d&apos;un niveau, puis choisissez</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::PlanLegend</name>
+    <message>
+        <source>no landmark</source>
+        <translation>sans repère</translation>
+    </message>
+    <message>
+        <source>looks like another place</source>
+        <translation>ressemble à un autre lieu</translation>
+    </message>
+    <message>
+        <source>a landmark here helps most</source>
+        <translation>un repère aide le plus ici</translation>
+    </message>
+    <message>
+        <source>not joined with the rest</source>
+        <translation>non relié au reste</translation>
+    </message>
+    <message>
+        <source>Legend: %1</source>
+        <translation>Légende : %1</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::PlanPanel</name>
+    <message>
+        <source>No map is open.</source>
+        <translation>Aucune carte n&apos;est ouverte.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n region(s), %2</source>
+        <translation>
+            <numerusform>%1 : %n région, %2</numerusform>
+            <numerusform>%1 : %n régions, %2</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n landmark(s)</source>
+        <translation>
+            <numerusform>%n repère</numerusform>
+            <numerusform>%n repères</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>&amp;Level:</source>
+        <translation>&amp;Niveau :</translation>
+    </message>
+    <message>
+        <source>Level of the plan</source>
+        <translation>Niveau du plan</translation>
+    </message>
+    <message>
+        <source>The floor that the plan shows (Page Up and Page Down in the plan)</source>
+        <translation>L&apos;étage que montre le plan (Page préc. et Page suiv. sur le plan)</translation>
+    </message>
+    <message>
+        <source>Larger (+)</source>
+        <translation>Plus grand (+)</translation>
+    </message>
+    <message>
+        <source>Smaller (-)</source>
+        <translation>Plus petit (-)</translation>
+    </message>
+    <message>
+        <source>Show the whole floor (0)</source>
+        <translation>Montrer tout l&apos;étage (0)</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>Plan</translation>
+    </message>
+    <message>
+        <source>Drag to move, turn the wheel to zoom. What is chosen can be dragged, or moved by Alt and the arrows</source>
+        <translation>Glissez pour déplacer, tournez la molette pour zoomer. La sélection peut être glissée, ou déplacée par Alt et les flèches</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::RegionDialog</name>
+    <message>
+        <source>Region %1</source>
+        <translation>Région %1</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>What is spoken</source>
+        <translation>Ce qui est dit</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Numéro</translation>
+    </message>
+    <message>
+        <source>The number on the door</source>
+        <translation>Le numéro sur la porte</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Type</translation>
+    </message>
+    <message>
+        <source>What sort of place it is</source>
+        <translation>De quelle sorte de lieu il s&apos;agit</translation>
+    </message>
+    <message>
+        <source>Restricted</source>
+        <translation>Restreint</translation>
+    </message>
+    <message>
+        <source>Not open to everyone</source>
+        <translation>Pas ouvert à tous</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::ReportPanel</name>
+    <message>
+        <source>%1, %2, %3</source>
+        <translation>%1, %2, %3</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n error(s)</source>
+        <translation>
+            <numerusform>%n erreur</numerusform>
+            <numerusform>%n erreurs</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n warning(s)</source>
+        <translation>
+            <numerusform>%n avertissement</numerusform>
+            <numerusform>%n avertissements</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n note(s)</source>
+        <translation>
+            <numerusform>%n remarque</numerusform>
+            <numerusform>%n remarques</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No map is open.</source>
+        <translation>Aucune carte n&apos;est ouverte.</translation>
+    </message>
+    <message>
+        <source>The map was changed after this check: %1.</source>
+        <translation>La carte a changé après cette vérification : %1.</translation>
+    </message>
+    <message>
+        <source>Nothing is wrong with this map.</source>
+        <translation>Rien ne cloche dans cette carte.</translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation>Constats</translation>
+    </message>
+    <message>
+        <source>What is wrong with the map; choose a finding to see its place on the plan</source>
+        <translation>Ce qui ne va pas dans la carte ; choisissez un constat pour voir son emplacement sur le plan</translation>
+    </message>
+    <message>
+        <source>The finding in words</source>
+        <translation>Le constat en mots</translation>
+    </message>
+    <message>
+        <source>The finding in words, and what to do</source>
+        <translation>Le constat en mots, et que faire</translation>
+    </message>
+    <message>
+        <source>Ne&amp;xt feature</source>
+        <translation>Élément &amp;suivant</translation>
+    </message>
+    <message>
+        <source>Show the next feature of this finding (F4)</source>
+        <translation>Montrer l&apos;élément suivant de ce constat (F4)</translation>
+    </message>
+    <message>
+        <source>Chec&amp;k again</source>
+        <translation>&amp;Vérifier de nouveau</translation>
+    </message>
+    <message>
+        <source>Look for what is wrong with the map as it is now (F7)</source>
+        <translation>Chercher ce qui ne va pas dans la carte telle qu&apos;elle est (F7)</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::RouteModel</name>
+    <message>
+        <source>Start in %1.</source>
+        <translation>Partez d&apos;ici : %1.</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>After</source>
+        <translation>Après</translation>
+    </message>
+    <message>
+        <source>What to do</source>
+        <translation>Que faire</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::RoutePanel</name>
+    <message>
+        <source>No map is open.</source>
+        <translation>Aucune carte n&apos;est ouverte.</translation>
+    </message>
+    <message>
+        <source>Looking for the way…</source>
+        <translation>Recherche du chemin…</translation>
+    </message>
+    <message>
+        <source>There is no way. %1</source>
+        <translation>Il n&apos;y a pas de chemin. %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 m, about %n minute(s), through %2.</source>
+        <translation>
+            <numerusform>%1 m, environ %n minute, par %2.</numerusform>
+            <numerusform>%1 m, environ %n minutes, par %2.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n door(s) and passage(s)</source>
+        <translation>
+            <numerusform>%n porte ou passage</numerusform>
+            <numerusform>%n portes et passages</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Choose where the route begins and ends, here or by the menu of a place on the plan.</source>
+        <translation>Choisissez où l&apos;itinéraire commence et finit, ici ou par le menu d&apos;un lieu sur le plan.</translation>
+    </message>
+    <message>
+        <source>Swa&amp;p</source>
+        <translation>In&amp;verser</translation>
+    </message>
+    <message>
+        <source>The way back: exchange where the route begins and ends</source>
+        <translation>Le retour : échanger le début et la fin de l&apos;itinéraire</translation>
+    </message>
+    <message>
+        <source>Avoid</source>
+        <translation>Éviter</translation>
+    </message>
+    <message>
+        <source>stairs</source>
+        <translation>escaliers</translation>
+    </message>
+    <message>
+        <source>Find a way without stairs</source>
+        <translation>Trouver un chemin sans escaliers</translation>
+    </message>
+    <message>
+        <source>lifts</source>
+        <translation>ascenseurs</translation>
+    </message>
+    <message>
+        <source>Find a way without lifts</source>
+        <translation>Trouver un chemin sans ascenseurs</translation>
+    </message>
+    <message>
+        <source>escalators</source>
+        <translation>escaliers mécaniques</translation>
+    </message>
+    <message>
+        <source>Find a way without escalators</source>
+        <translation>Trouver un chemin sans escaliers mécaniques</translation>
+    </message>
+    <message>
+        <source>restricted regions</source>
+        <translation>régions restreintes</translation>
+    </message>
+    <message>
+        <source>Find a way that is open to everyone</source>
+        <translation>Trouver un chemin ouvert à tous</translation>
+    </message>
+    <message>
+        <source>Sentences of the route</source>
+        <translation>Phrases de l&apos;itinéraire</translation>
+    </message>
+    <message>
+        <source>What the walker hears; choose a sentence to see its place on the plan</source>
+        <translation>Ce qu&apos;entend la personne qui marche ; choisissez une phrase pour voir son emplacement sur le plan</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::RuleWords</name>
+    <message>
+        <source>Outlines that are no proper outline</source>
+        <translation>Contours qui n&apos;en sont pas</translation>
+    </message>
+    <message>
+        <source>Draw the outline again so that it does not cross itself.</source>
+        <translation>Redessinez le contour pour qu&apos;il ne se croise pas lui-même.</translation>
+    </message>
+    <message>
+        <source>Regions that share an id</source>
+        <translation>Régions qui partagent un identifiant</translation>
+    </message>
+    <message>
+        <source>Give each region an id of its own.</source>
+        <translation>Donnez à chaque région son propre identifiant.</translation>
+    </message>
+    <message>
+        <source>Names that nobody can say</source>
+        <translation>Noms que personne ne peut dire</translation>
+    </message>
+    <message>
+        <source>Give the region the name that people use; this one is never spoken.</source>
+        <translation>Donnez à la région le nom que les gens emploient ; celui-ci n&apos;est jamais dit.</translation>
+    </message>
+    <message>
+        <source>Doors that share an id</source>
+        <translation>Portes qui partagent un identifiant</translation>
+    </message>
+    <message>
+        <source>Give each door or passage an id of its own.</source>
+        <translation>Donnez à chaque porte ou passage son propre identifiant.</translation>
+    </message>
+    <message>
+        <source>Landmarks that share an id</source>
+        <translation>Repères qui partagent un identifiant</translation>
+    </message>
+    <message>
+        <source>Give each landmark an id of its own.</source>
+        <translation>Donnez à chaque repère son propre identifiant.</translation>
+    </message>
+    <message>
+        <source>Doors that do not join two regions</source>
+        <translation>Portes qui ne relient pas deux régions</translation>
+    </message>
+    <message>
+        <source>Choose the region on each side of the door.</source>
+        <translation>Choisissez la région de chaque côté de la porte.</translation>
+    </message>
+    <message>
+        <source>Doors to regions that do not exist</source>
+        <translation>Portes vers des régions qui n&apos;existent pas</translation>
+    </message>
+    <message>
+        <source>Choose regions that are on the map for both sides.</source>
+        <translation>Choisissez pour les deux côtés des régions de la carte.</translation>
+    </message>
+    <message>
+        <source>Doors far from the regions they join</source>
+        <translation>Portes loin des régions qu&apos;elles relient</translation>
+    </message>
+    <message>
+        <source>Move the door to where the two regions meet.</source>
+        <translation>Déplacez la porte là où les deux régions se touchent.</translation>
+    </message>
+    <message>
+        <source>Doors drawn on fewer or more than two regions</source>
+        <translation>Portes dessinées sur moins ou plus de deux régions</translation>
+    </message>
+    <message>
+        <source>Doors beside more than two regions</source>
+        <translation>Portes à côté de plus de deux régions</translation>
+    </message>
+    <message>
+        <source>See that the two sides are the right ones.</source>
+        <translation>Vérifiez que les deux côtés sont les bons.</translation>
+    </message>
+    <message>
+        <source>Passages drawn along the way instead of across it</source>
+        <translation>Passages dessinés le long du chemin au lieu d&apos;en travers</translation>
+    </message>
+    <message>
+        <source>If one walks along the line, choose its two sides by hand.</source>
+        <translation>Si l&apos;on marche le long de la ligne, choisissez ses deux côtés à la main.</translation>
+    </message>
+    <message>
+        <source>Doors without a place on the map</source>
+        <translation>Portes sans emplacement sur la carte</translation>
+    </message>
+    <message>
+        <source>Draw them in the source, or put them in here.</source>
+        <translation>Dessinez-les dans la source, ou placez-les ici.</translation>
+    </message>
+    <message>
+        <source>Stairs or lifts that do not change the level</source>
+        <translation>Escaliers ou ascenseurs qui ne changent pas de niveau</translation>
+    </message>
+    <message>
+        <source>Choose regions of two levels, or another kind.</source>
+        <translation>Choisissez des régions de deux niveaux, ou un autre type.</translation>
+    </message>
+    <message>
+        <source>Parts of the building that no way joins</source>
+        <translation>Parties du bâtiment qu&apos;aucun chemin ne relie</translation>
+    </message>
+    <message>
+        <source>Put in the door, stairs or lift that joins them.</source>
+        <translation>Placez la porte, l&apos;escalier ou l&apos;ascenseur qui les relie.</translation>
+    </message>
+    <message>
+        <source>Regions without any door</source>
+        <translation>Régions sans aucune porte</translation>
+    </message>
+    <message>
+        <source>Put in the door that leads there.</source>
+        <translation>Placez la porte qui y mène.</translation>
+    </message>
+    <message>
+        <source>Regions without a name</source>
+        <translation>Régions sans nom</translation>
+    </message>
+    <message>
+        <source>Give them the name that people use.</source>
+        <translation>Donnez-leur le nom que les gens emploient.</translation>
+    </message>
+    <message>
+        <source>Regions of one level with the same number</source>
+        <translation>Régions d&apos;un niveau avec le même numéro</translation>
+    </message>
+    <message>
+        <source>Correct the number of one of them.</source>
+        <translation>Corrigez le numéro de l&apos;une d&apos;elles.</translation>
+    </message>
+    <message>
+        <source>Regions as narrow as a wall</source>
+        <translation>Régions aussi étroites qu&apos;un mur</translation>
+    </message>
+    <message>
+        <source>Join them with their neighbour in the source.</source>
+        <translation>Réunissez-les avec leur voisine dans la source.</translation>
+    </message>
+    <message>
+        <source>Regions that overlap</source>
+        <translation>Régions qui se chevauchent</translation>
+    </message>
+    <message>
+        <source>Draw the border between them in the source.</source>
+        <translation>Dessinez la limite entre elles dans la source.</translation>
+    </message>
+    <message>
+        <source>Regions inside other regions</source>
+        <translation>Régions à l&apos;intérieur d&apos;autres régions</translation>
+    </message>
+    <message>
+        <source>Cut the smaller one out of the larger one, unless it is a part of it.</source>
+        <translation>Découpez la plus petite dans la plus grande, sauf si elle en fait partie.</translation>
+    </message>
+    <message>
+        <source>Regions drawn twice</source>
+        <translation>Régions dessinées deux fois</translation>
+    </message>
+    <message>
+        <source>Remove one of them in the source.</source>
+        <translation>Retirez-en une dans la source.</translation>
+    </message>
+    <message>
+        <source>Regions in several parts</source>
+        <translation>Régions en plusieurs parties</translation>
+    </message>
+    <message>
+        <source>Each part became a region; give the parts names of their own.</source>
+        <translation>Chaque partie est devenue une région ; donnez-leur des noms propres.</translation>
+    </message>
+    <message>
+        <source>Landmarks in regions that do not exist</source>
+        <translation>Repères dans des régions qui n&apos;existent pas</translation>
+    </message>
+    <message>
+        <source>Move the landmark into a region.</source>
+        <translation>Déplacez le repère dans une région.</translation>
+    </message>
+    <message>
+        <source>Landmarks outside their region</source>
+        <translation>Repères hors de leur région</translation>
+    </message>
+    <message>
+        <source>Move the landmark into its region.</source>
+        <translation>Déplacez le repère dans sa région.</translation>
+    </message>
+    <message>
+        <source>Landmarks that were given their region by their place</source>
+        <translation>Repères dont la région a été déduite de leur emplacement</translation>
+    </message>
+    <message>
+        <source>Levels that the list of levels does not name</source>
+        <translation>Niveaux que la liste des niveaux ne nomme pas</translation>
+    </message>
+    <message>
+        <source>Add the level to the list in the source.</source>
+        <translation>Ajoutez le niveau à la liste dans la source.</translation>
+    </message>
+    <message>
+        <source>Levels named twice</source>
+        <translation>Niveaux nommés deux fois</translation>
+    </message>
+    <message>
+        <source>Levels without a usable number</source>
+        <translation>Niveaux sans numéro utilisable</translation>
+    </message>
+    <message>
+        <source>Give the level a number in the source.</source>
+        <translation>Donnez un numéro au niveau dans la source.</translation>
+    </message>
+    <message>
+        <source>Features whose level was assumed</source>
+        <translation>Éléments dont le niveau a été supposé</translation>
+    </message>
+    <message>
+        <source>Add the level in the source.</source>
+        <translation>Ajoutez le niveau dans la source.</translation>
+    </message>
+    <message>
+        <source>Links between levels that lead nowhere</source>
+        <translation>Liaisons entre niveaux qui ne mènent nulle part</translation>
+    </message>
+    <message>
+        <source>Choose regions that are on the map.</source>
+        <translation>Choisissez des régions de la carte.</translation>
+    </message>
+    <message>
+        <source>Stairs and lifts joined because they lie above one another</source>
+        <translation>Escaliers et ascenseurs reliés parce qu&apos;ils sont l&apos;un au-dessus de l&apos;autre</translation>
+    </message>
+    <message>
+        <source>See that they really are one.</source>
+        <translation>Vérifiez qu&apos;ils n&apos;en font vraiment qu&apos;un.</translation>
+    </message>
+    <message>
+        <source>Stairs or lifts that leave out a level</source>
+        <translation>Escaliers ou ascenseurs qui sautent un niveau</translation>
+    </message>
+    <message>
+        <source>Add the stop, if there is one.</source>
+        <translation>Ajoutez l&apos;arrêt, s&apos;il existe.</translation>
+    </message>
+    <message>
+        <source>Kinds that are not known</source>
+        <translation>Types inconnus</translation>
+    </message>
+    <message>
+        <source>Choose one of the kinds that Farol knows.</source>
+        <translation>Choisissez l&apos;un des types que Farol connaît.</translation>
+    </message>
+    <message>
+        <source>Degrees where metres are meant</source>
+        <translation>Des degrés là où il faut des mètres</translation>
+    </message>
+    <message>
+        <source>See that the building has its right size.</source>
+        <translation>Vérifiez que le bâtiment a sa vraie taille.</translation>
+    </message>
+    <message>
+        <source>Metres where degrees are meant</source>
+        <translation>Des mètres là où il faut des degrés</translation>
+    </message>
+    <message>
+        <source>The coordinates&apos; system is not named</source>
+        <translation>Le système de coordonnées n&apos;est pas nommé</translation>
+    </message>
+    <message>
+        <source>Name the coordinate system in the source.</source>
+        <translation>Nommez le système de coordonnées dans la source.</translation>
+    </message>
+    <message>
+        <source>The coordinates&apos; system is not understood</source>
+        <translation>Le système de coordonnées n&apos;est pas compris</translation>
+    </message>
+    <message>
+        <source>Name a common coordinate system in the source.</source>
+        <translation>Nommez un système de coordonnées courant dans la source.</translation>
+    </message>
+    <message>
+        <source>Coordinates were converted to metres</source>
+        <translation>Les coordonnées ont été converties en mètres</translation>
+    </message>
+    <message>
+        <source>North and east were exchanged</source>
+        <translation>Nord et est étaient échangés</translation>
+    </message>
+    <message>
+        <source>Export the map again to be sure.</source>
+        <translation>Exportez de nouveau la carte pour en avoir le cœur net.</translation>
+    </message>
+    <message>
+        <source>Points that are no places</source>
+        <translation>Points qui ne sont pas des lieux</translation>
+    </message>
+    <message>
+        <source>See whether something is missing there.</source>
+        <translation>Voyez s&apos;il manque quelque chose à cet endroit.</translation>
+    </message>
+    <message>
+        <source>Features without a shape</source>
+        <translation>Éléments sans forme</translation>
+    </message>
+    <message>
+        <source>Draw them in the source if they are needed.</source>
+        <translation>Dessinez-les dans la source s&apos;ils sont nécessaires.</translation>
+    </message>
+    <message>
+        <source>Features without a usable shape</source>
+        <translation>Éléments sans forme utilisable</translation>
+    </message>
+    <message>
+        <source>Layers without features</source>
+        <translation>Couches sans éléments</translation>
+    </message>
+    <message>
+        <source>Layers whose meaning is not clear</source>
+        <translation>Couches dont le sens n&apos;est pas clair</translation>
+    </message>
+    <message>
+        <source>Say in a profile what the layer holds.</source>
+        <translation>Dites dans un profil ce que contient la couche.</translation>
+    </message>
+    <message>
+        <source>Layers that were not used</source>
+        <translation>Couches qui n&apos;ont pas été utilisées</translation>
+    </message>
+    <message>
+        <source>Codes without a meaning</source>
+        <translation>Codes sans signification</translation>
+    </message>
+    <message>
+        <source>Say in a profile what the code means.</source>
+        <translation>Dites dans un profil ce que signifie le code.</translation>
+    </message>
+    <message>
+        <source>Openings added where no wall stands between regions</source>
+        <translation>Ouvertures ajoutées là où aucun mur ne sépare les régions</translation>
+    </message>
+    <message>
+        <source>See that one can really walk through.</source>
+        <translation>Vérifiez qu&apos;on peut vraiment passer.</translation>
+    </message>
+    <message>
+        <source>Escalators without a direction</source>
+        <translation>Escaliers mécaniques sans sens de marche</translation>
+    </message>
+    <message>
+        <source>Say which way they run.</source>
+        <translation>Dites dans quel sens ils fonctionnent.</translation>
+    </message>
+    <message>
+        <source>Amenities without a known level</source>
+        <translation>Équipements sans niveau connu</translation>
+    </message>
+    <message>
+        <source>Name the level in the source.</source>
+        <translation>Nommez le niveau dans la source.</translation>
+    </message>
+    <message>
+        <source>Amenities without a place</source>
+        <translation>Équipements sans emplacement</translation>
+    </message>
+    <message>
+        <source>Give them a point in the source.</source>
+        <translation>Donnez-leur un point dans la source.</translation>
+    </message>
+    <message>
+        <source>Categories that are not known</source>
+        <translation>Catégories inconnues</translation>
+    </message>
+    <message>
+        <source>Levels without an id</source>
+        <translation>Niveaux sans identifiant</translation>
+    </message>
+    <message>
+        <source>Give the level an id in the source.</source>
+        <translation>Donnez un identifiant au niveau dans la source.</translation>
+    </message>
+    <message>
+        <source>Levels without an ordinal</source>
+        <translation>Niveaux sans ordinal</translation>
+    </message>
+    <message>
+        <source>Give the level an ordinal in the source.</source>
+        <translation>Donnez un ordinal au niveau dans la source.</translation>
+    </message>
+    <message>
+        <source>Parts of the IMDF archive that were not used</source>
+        <translation>Parties de l&apos;archive IMDF qui n&apos;ont pas été utilisées</translation>
+    </message>
+    <message>
+        <source>Walls, columns and voids drawn as units</source>
+        <translation>Murs, colonnes et vides dessinés comme unités</translation>
+    </message>
+    <message>
+        <source>Occupants without a place</source>
+        <translation>Occupants sans emplacement</translation>
+    </message>
+    <message>
+        <source>Name the anchor in the source.</source>
+        <translation>Nommez l&apos;ancre dans la source.</translation>
+    </message>
+    <message>
+        <source>Openings that are closed</source>
+        <translation>Ouvertures qui sont fermées</translation>
+    </message>
+    <message>
+        <source>Openings without a line</source>
+        <translation>Ouvertures sans ligne</translation>
+    </message>
+    <message>
+        <source>Draw the opening as a line in the source.</source>
+        <translation>Dessinez l&apos;ouverture comme une ligne dans la source.</translation>
+    </message>
+    <message>
+        <source>Relationships that do not name two units</source>
+        <translation>Relations qui ne nomment pas deux unités</translation>
+    </message>
+    <message>
+        <source>Name the two units in the source.</source>
+        <translation>Nommez les deux unités dans la source.</translation>
+    </message>
+    <message>
+        <source>Units without an outline</source>
+        <translation>Unités sans contour</translation>
+    </message>
+    <message>
+        <source>Draw the outline in the source.</source>
+        <translation>Dessinez le contour dans la source.</translation>
+    </message>
+    <message>
+        <source>Doors that stand on no outline</source>
+        <translation>Portes qui ne sont sur aucun contour</translation>
+    </message>
+    <message>
+        <source>Draw the door on the outline of its room.</source>
+        <translation>Dessinez la porte sur le contour de sa salle.</translation>
+    </message>
+    <message>
+        <source>Openings put where a way enters a room</source>
+        <translation>Ouvertures placées là où un chemin entre dans une salle</translation>
+    </message>
+    <message>
+        <source>Draw the door in the source.</source>
+        <translation>Dessinez la porte dans la source.</translation>
+    </message>
+    <message>
+        <source>Objects whose level is not clear</source>
+        <translation>Objets dont le niveau n&apos;est pas clair</translation>
+    </message>
+    <message>
+        <source>Objects far from every region</source>
+        <translation>Objets loin de toute région</translation>
+    </message>
+    <message>
+        <source>Draw the room they stand in.</source>
+        <translation>Dessinez la salle où ils se trouvent.</translation>
+    </message>
+    <message>
+        <source>Features without a level</source>
+        <translation>Éléments sans niveau</translation>
+    </message>
+    <message>
+        <source>Levels that cannot be read</source>
+        <translation>Niveaux qui ne peuvent pas être lus</translation>
+    </message>
+    <message>
+        <source>Correct the level in the source.</source>
+        <translation>Corrigez le niveau dans la source.</translation>
+    </message>
+    <message>
+        <source>Lifts without a door</source>
+        <translation>Ascenseurs sans porte</translation>
+    </message>
+    <message>
+        <source>Move the door to its place.</source>
+        <translation>Déplacez la porte à sa place.</translation>
+    </message>
+    <message>
+        <source>Lifts that are only a point</source>
+        <translation>Ascenseurs qui ne sont qu&apos;un point</translation>
+    </message>
+    <message>
+        <source>Steps that lead nowhere</source>
+        <translation>Marches qui ne mènent nulle part</translation>
+    </message>
+    <message>
+        <source>Draw the area or way that they lead to.</source>
+        <translation>Dessinez la zone ou le chemin où elles mènent.</translation>
+    </message>
+    <message>
+        <source>Steps that may go up or down</source>
+        <translation>Marches qui peuvent monter ou descendre</translation>
+    </message>
+    <message>
+        <source>Say in the source which end is up.</source>
+        <translation>Dites dans la source quel bout est en haut.</translation>
+    </message>
+    <message>
+        <source>Steps without a length</source>
+        <translation>Marches sans longueur</translation>
+    </message>
+    <message>
+        <source>Draw the line of the steps.</source>
+        <translation>Dessinez la ligne des marches.</translation>
+    </message>
+    <message>
+        <source>Cells that could not be used</source>
+        <translation>Cellules inutilisables</translation>
+    </message>
+    <message>
+        <source>Give each cell an outline and an id.</source>
+        <translation>Donnez à chaque cellule un contour et un identifiant.</translation>
+    </message>
+    <message>
+        <source>The coordinates&apos; system is not known</source>
+        <translation>Le système de coordonnées est inconnu</translation>
+    </message>
+    <message>
+        <source>Doors that do not lie between two rooms</source>
+        <translation>Portes qui ne sont pas entre deux salles</translation>
+    </message>
+    <message>
+        <source>Levels that nothing tells</source>
+        <translation>Niveaux que rien n&apos;indique</translation>
+    </message>
+    <message>
+        <source>Say where the level stands when importing.</source>
+        <translation>Dites à l&apos;importation où se trouve le niveau.</translation>
+    </message>
+    <message>
+        <source>Levels counted from the heights of the floors</source>
+        <translation>Niveaux comptés d&apos;après la hauteur des sols</translation>
+    </message>
+    <message>
+        <source>Storeys named by words</source>
+        <translation>Étages nommés par des mots</translation>
+    </message>
+    <message>
+        <source>Transitions that do not join two cells</source>
+        <translation>Transitions qui ne relient pas deux cellules</translation>
+    </message>
+    <message>
+        <source>Correct the transition in the source.</source>
+        <translation>Corrigez la transition dans la source.</translation>
+    </message>
+    <message>
+        <source>Entrances of facilities that are missing</source>
+        <translation>Entrées d&apos;équipements manquants</translation>
+    </message>
+    <message>
+        <source>Add the facility in the source.</source>
+        <translation>Ajoutez l&apos;équipement dans la source.</translation>
+    </message>
+    <message>
+        <source>Facilities that no entrance leads to</source>
+        <translation>Équipements auxquels aucune entrée ne mène</translation>
+    </message>
+    <message>
+        <source>Add the entrance in the source.</source>
+        <translation>Ajoutez l&apos;entrée dans la source.</translation>
+    </message>
+    <message>
+        <source>The number of the ground floor was assumed</source>
+        <translation>Le numéro du rez-de-chaussée a été supposé</translation>
+    </message>
+    <message>
+        <source>Say it when importing, if it is another one.</source>
+        <translation>Dites-le à l&apos;importation, si c&apos;en est un autre.</translation>
+    </message>
+    <message>
+        <source>Objects far from every node</source>
+        <translation>Objets loin de tout nœud</translation>
+    </message>
+    <message>
+        <source>Move the object in the source.</source>
+        <translation>Déplacez l&apos;objet dans la source.</translation>
+    </message>
+    <message>
+        <source>Links that do not join two nodes</source>
+        <translation>Liaisons qui ne relient pas deux nœuds</translation>
+    </message>
+    <message>
+        <source>Correct the link in the source.</source>
+        <translation>Corrigez la liaison dans la source.</translation>
+    </message>
+    <message>
+        <source>Nodes that could not be used</source>
+        <translation>Nœuds inutilisables</translation>
+    </message>
+    <message>
+        <source>Give each node a place and an id.</source>
+        <translation>Donnez à chaque nœud un emplacement et un identifiant.</translation>
+    </message>
+    <message>
+        <source>Nodes that no link leads to</source>
+        <translation>Nœuds auxquels aucune liaison ne mène</translation>
+    </message>
+    <message>
+        <source>Add the link in the source.</source>
+        <translation>Ajoutez la liaison dans la source.</translation>
+    </message>
+    <message>
+        <source>Nodes without a floor</source>
+        <translation>Nœuds sans étage</translation>
+    </message>
+    <message>
+        <source>Add the floor in the source.</source>
+        <translation>Ajoutez l&apos;étage dans la source.</translation>
+    </message>
+    <message>
+        <source>Regions made from a network of ways</source>
+        <translation>Régions faites à partir d&apos;un réseau de chemins</translation>
+    </message>
+    <message>
+        <source>Features of an unknown sort</source>
+        <translation>Éléments d&apos;une sorte inconnue</translation>
+    </message>
+    <message>
+        <source>Spaces closed from walls, doors and windows</source>
+        <translation>Espaces fermés d&apos;après murs, portes et fenêtres</translation>
+    </message>
+    <message>
+        <source>Give them names.</source>
+        <translation>Donnez-leur des noms.</translation>
+    </message>
+    <message>
+        <source>Doors with a space on one side only</source>
+        <translation>Portes avec un espace d&apos;un seul côté</translation>
+    </message>
+    <message>
+        <source>See whether a wall is missing, or the door leads outside.</source>
+        <translation>Voyez s&apos;il manque un mur ou si la porte donne sur l&apos;extérieur.</translation>
+    </message>
+    <message>
+        <source>Narrow strips between walls</source>
+        <translation>Bandes étroites entre des murs</translation>
+    </message>
+    <message>
+        <source>Directions of doors that are not understood</source>
+        <translation>Sens de portes qui ne sont pas compris</translation>
+    </message>
+    <message>
+        <source>Say which way one can pass.</source>
+        <translation>Dites dans quel sens on peut passer.</translation>
+    </message>
+    <message>
+        <source>Stairs or lifts to a level that nothing names</source>
+        <translation>Escaliers ou ascenseurs vers un niveau que rien ne nomme</translation>
+    </message>
+    <message>
+        <source>Choose the region on the other level.</source>
+        <translation>Choisissez la région de l&apos;autre niveau.</translation>
+    </message>
+    <message>
+        <source>Upper ends of stairs and lifts that are known already</source>
+        <translation>Extrémités hautes d&apos;escaliers et d&apos;ascenseurs déjà connus</translation>
+    </message>
+    <message>
+        <source>Levels counted from the heights of the shapes</source>
+        <translation>Niveaux comptés d&apos;après la hauteur des formes</translation>
+    </message>
+    <message>
+        <source>Moving walkways without a direction</source>
+        <translation>Tapis roulants sans sens de marche</translation>
+    </message>
+    <message>
+        <source>Say in the source which way they run.</source>
+        <translation>Dites dans la source dans quel sens ils fonctionnent.</translation>
+    </message>
+    <message>
+        <source>Moving walkways that lead nowhere</source>
+        <translation>Tapis roulants qui ne mènent nulle part</translation>
+    </message>
+    <message>
+        <source>Regions whose door joins two others</source>
+        <translation>Régions dont la porte en relie deux autres</translation>
+    </message>
+    <message>
+        <source>Correct the sides of the door, or put in another one.</source>
+        <translation>Corrigez les côtés de la porte, ou placez-en une autre.</translation>
+    </message>
+    <message>
+        <source>Something to look at</source>
+        <translation>Quelque chose à regarder</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::SettingsDialog</name>
+    <message>
+        <source>Settings</source>
+        <translation>Réglages</translation>
+    </message>
+    <message>
+        <source>As the computer is set</source>
+        <translation>Comme l&apos;ordinateur</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Langue</translation>
+    </message>
+    <message>
+        <source>Language of the window and of the voice</source>
+        <translation>Langue de la fenêtre et de la voix</translation>
+    </message>
+    <message>
+        <source>&amp;Language:</source>
+        <translation>&amp;Langue :</translation>
+    </message>
+    <message>
+        <source>Left and right</source>
+        <translation>Gauche et droite</translation>
+    </message>
+    <message>
+        <source>Hours of a clock</source>
+        <translation>Heures d&apos;une horloge</translation>
+    </message>
+    <message>
+        <source>Degrees</source>
+        <translation>Degrés</translation>
+    </message>
+    <message>
+        <source>Directions</source>
+        <translation>Directions</translation>
+    </message>
+    <message>
+        <source>How turns are told</source>
+        <translation>Comment les tournants sont dits</translation>
+    </message>
+    <message>
+        <source>&amp;Directions:</source>
+        <translation>&amp;Directions :</translation>
+    </message>
+    <message>
+        <source>The way only</source>
+        <translation>Le chemin seulement</translation>
+    </message>
+    <message>
+        <source>The way and objects</source>
+        <translation>Le chemin et les objets</translation>
+    </message>
+    <message>
+        <source>The way, objects and texts</source>
+        <translation>Le chemin, les objets et les textes</translation>
+    </message>
+    <message>
+        <source>What is told</source>
+        <translation>Ce qui est dit</translation>
+    </message>
+    <message>
+        <source>How much is told on the way</source>
+        <translation>Combien on en dit en chemin</translation>
+    </message>
+    <message>
+        <source>&amp;What is told:</source>
+        <translation>&amp;Ce qui est dit :</translation>
+    </message>
+    <message>
+        <source>The first that works</source>
+        <translation>Le premier qui marche</translation>
+    </message>
+    <message>
+        <source>Speech program</source>
+        <translation>Programme de parole</translation>
+    </message>
+    <message>
+        <source>Which speech program of this computer speaks</source>
+        <translation>Quel programme de parole de cet ordinateur parle</translation>
+    </message>
+    <message>
+        <source>&amp;Speech program:</source>
+        <translation>&amp;Programme de parole :</translation>
+    </message>
+    <message>
+        <source>What fits the language</source>
+        <translation>Celle qui va avec la langue</translation>
+    </message>
+    <message>
+        <source>Voice</source>
+        <translation>Voix</translation>
+    </message>
+    <message>
+        <source>Press “List voices” to choose among those of the speech program</source>
+        <translation>Appuyez sur « Lister les voix » pour choisir parmi celles du programme de parole</translation>
+    </message>
+    <message>
+        <source>List &amp;voices</source>
+        <translation>Lister les &amp;voix</translation>
+    </message>
+    <message>
+        <source>List voices</source>
+        <translation>Lister les voix</translation>
+    </message>
+    <message>
+        <source>Ask the speech program for its voices; this can take some seconds</source>
+        <translation>Demander ses voix au programme de parole ; cela peut prendre quelques secondes</translation>
+    </message>
+    <message>
+        <source>V&amp;oice:</source>
+        <translation>V&amp;oix :</translation>
+    </message>
+    <message>
+        <source>Speed of the voice</source>
+        <translation>Vitesse de la voix</translation>
+    </message>
+    <message>
+        <source>Slow on the left, fast on the right</source>
+        <translation>Lente à gauche, rapide à droite</translation>
+    </message>
+    <message>
+        <source>S&amp;peed of the voice:</source>
+        <translation>Vit&amp;esse de la voix :</translation>
+    </message>
+    <message>
+        <source>Loudness</source>
+        <translation>Volume sonore</translation>
+    </message>
+    <message>
+        <source>How loud the voice is</source>
+        <translation>À quel volume parle la voix</translation>
+    </message>
+    <message>
+        <source>Lo&amp;udness:</source>
+        <translation>Vol&amp;ume :</translation>
+    </message>
+    <message>
+        <source>Folder of recordings</source>
+        <translation>Dossier des enregistrements</translation>
+    </message>
+    <message>
+        <source>Where recorded walks are kept</source>
+        <translation>Où sont gardés les parcours enregistrés</translation>
+    </message>
+    <message>
+        <source>&amp;Browse…</source>
+        <translation>P&amp;arcourir…</translation>
+    </message>
+    <message>
+        <source>Browse for the folder of recordings</source>
+        <translation>Chercher le dossier des enregistrements</translation>
+    </message>
+    <message>
+        <source>Choose where recorded walks are kept</source>
+        <translation>Choisir où sont gardés les parcours enregistrés</translation>
+    </message>
+    <message>
+        <source>&amp;Recordings:</source>
+        <translation>Enre&amp;gistrements :</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::SourceDialog</name>
+    <message>
+        <source>&amp;Camera number</source>
+        <translation>&amp;Numéro de caméra</translation>
+    </message>
+    <message>
+        <source>&amp;Video file</source>
+        <translation>&amp;Fichier vidéo</translation>
+    </message>
+    <message>
+        <source>&amp;Folder of pictures</source>
+        <translation>&amp;Dossier d&apos;images</translation>
+    </message>
+    <message>
+        <source>Network &amp;address</source>
+        <translation>&amp;Adresse réseau</translation>
+    </message>
+    <message>
+        <source>Open pictures</source>
+        <translation>Ouvrir des images</translation>
+    </message>
+    <message>
+        <source>Camera number</source>
+        <translation>Numéro de caméra</translation>
+    </message>
+    <message>
+        <source>0 is the first camera of this computer</source>
+        <translation>0 est la première caméra de cet ordinateur</translation>
+    </message>
+    <message>
+        <source>Video file</source>
+        <translation>Fichier vidéo</translation>
+    </message>
+    <message>
+        <source>Folder of pictures</source>
+        <translation>Dossier d&apos;images</translation>
+    </message>
+    <message>
+        <source>Network address</source>
+        <translation>Adresse réseau</translation>
+    </message>
+    <message>
+        <source>Pictures a second</source>
+        <translation>Images par seconde</translation>
+    </message>
+    <message>
+        <source>How many pictures of the folder make a second</source>
+        <translation>Combien d&apos;images du dossier font une seconde</translation>
+    </message>
+    <message>
+        <source>Pictures a &amp;second:</source>
+        <translation>Images par &amp;seconde :</translation>
+    </message>
+    <message>
+        <source>&amp;Browse…</source>
+        <translation>&amp;Parcourir…</translation>
+    </message>
+    <message>
+        <source>Browse for a video file</source>
+        <translation>Chercher un fichier vidéo</translation>
+    </message>
+    <message>
+        <source>B&amp;rowse…</source>
+        <translation>Pa&amp;rcourir…</translation>
+    </message>
+    <message>
+        <source>Browse for a folder</source>
+        <translation>Chercher un dossier</translation>
+    </message>
+    <message>
+        <source>Open a video</source>
+        <translation>Ouvrir une vidéo</translation>
+    </message>
+    <message>
+        <source>Videos (%1);;All files (%2)</source>
+        <translation>Vidéos (%1);;Tous les fichiers (%2)</translation>
+    </message>
+    <message>
+        <source>Open a folder of pictures</source>
+        <translation>Ouvrir un dossier d&apos;images</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::SpeechDesk</name>
+    <message>
+        <source>Voice off: sentences are only shown</source>
+        <translation>Voix coupée : les phrases sont seulement montrées</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::SpeechOutput</name>
+    <message>
+        <source>The voice starts with the first sentence.</source>
+        <translation>La voix commence avec la première phrase.</translation>
+    </message>
+    <message>
+        <source>The voice hangs: nothing may be heard. Choose another one in the settings.</source>
+        <translation>La voix est bloquée : on n&apos;entend peut-être rien. Choisissez-en une autre dans les réglages.</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::SpeechQueue</name>
+    <message>
+        <source>There is nothing to repeat.</source>
+        <translation>Il n&apos;y a rien à répéter.</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::UtteranceModel</name>
+    <message>
+        <source>Caused by picture %1</source>
+        <translation>Causé par l&apos;image %1</translation>
+    </message>
+    <message>
+        <source>Shown as text, not heard</source>
+        <translation>Montré en texte, non entendu</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Heure</translation>
+    </message>
+    <message>
+        <source>Sentence</source>
+        <translation>Phrase</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>État</translation>
+    </message>
+    <message>
+        <source>Because</source>
+        <translation>Parce que</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::Voice</name>
+    <message>
+        <source>The voice &quot;%1&quot; is not installed. Choose another one in the settings.</source>
+        <translation>La voix &quot;%1&quot; n&apos;est pas installée. Choisissez-en une autre dans les réglages.</translation>
+    </message>
+    <message>
+        <source>The voice &quot;%1&quot; does not start: %2</source>
+        <translation>La voix &quot;%1&quot; ne démarre pas : %2</translation>
+    </message>
+    <message>
+        <source>The voice &quot;%1&quot; does not speak this language. Choose another one in the settings.</source>
+        <translation>La voix &quot;%1&quot; ne parle pas cette langue. Choisissez-en une autre dans les réglages.</translation>
+    </message>
+    <message>
+        <source>No voice is installed.</source>
+        <translation>Aucune voix n&apos;est installée.</translation>
+    </message>
+    <message>
+        <source>There is no sound device. Connect headphones or a loudspeaker.</source>
+        <translation>Il n&apos;y a pas de périphérique audio. Branchez un casque ou un haut-parleur.</translation>
+    </message>
+    <message>
+        <source>The voice does not work. Choose another one in the settings.</source>
+        <translation>La voix ne fonctionne pas. Choisissez-en une autre dans les réglages.</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::VoteModel</name>
+    <message numerus="yes">
+        <source>%n matching object(s)</source>
+        <translation>
+            <numerusform>%n objet concordant</numerusform>
+            <numerusform>%n objets concordants</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Lieu</translation>
+    </message>
+    <message>
+        <source>Votes</source>
+        <translation>Voix</translation>
+    </message>
+    <message>
+        <source>Made of</source>
+        <translation>Composé de</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::Walk</name>
+    <message numerus="yes">
+        <source>%n remark(s) about the map: %1</source>
+        <translation>
+            <numerusform>%n remarque sur la carte : %1</numerusform>
+            <numerusform>%n remarques sur la carte : %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Opening %1…</source>
+        <translation>Ouverture de %1…</translation>
+    </message>
+    <message>
+        <source>Loading…</source>
+        <translation>Chargement…</translation>
+    </message>
+    <message>
+        <source>Open a map first (Ctrl+O).</source>
+        <translation>Ouvrez d&apos;abord une carte (Ctrl+O).</translation>
+    </message>
+    <message>
+        <source>Open a camera, a video or a folder of pictures first (Ctrl+P).</source>
+        <translation>Ouvrez d&apos;abord une caméra, une vidéo ou un dossier d&apos;images (Ctrl+P).</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::WindowActions</name>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Fichier</translation>
+    </message>
+    <message>
+        <source>&amp;Walk</source>
+        <translation>&amp;Parcours</translation>
+    </message>
+    <message>
+        <source>V&amp;oice</source>
+        <translation>V&amp;oix</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Affichage</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>Ai&amp;de</translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
+        <translation>&amp;Langue</translation>
+    </message>
+    <message>
+        <source>R&amp;ecent maps</source>
+        <translation>Cartes r&amp;écentes</translation>
+    </message>
+    <message>
+        <source>Recent landmark li&amp;braries</source>
+        <translation>Bi&amp;bliothèques récentes</translation>
+    </message>
+    <message>
+        <source>Recent pi&amp;ctures</source>
+        <translation>Ima&amp;ges récentes</translation>
+    </message>
+    <message>
+        <source>&amp;Open map…</source>
+        <translation>&amp;Ouvrir une carte…</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Carte</translation>
+    </message>
+    <message>
+        <source>Open the map of a building</source>
+        <translation>Ouvrir la carte d&apos;un bâtiment</translation>
+    </message>
+    <message>
+        <source>Open landmark &amp;library…</source>
+        <translation>Ouvrir une biblio&amp;thèque de repères…</translation>
+    </message>
+    <message>
+        <source>Landmarks</source>
+        <translation>Repères</translation>
+    </message>
+    <message>
+        <source>Open the landmarks that Farol was taught</source>
+        <translation>Ouvrir les repères appris par Farol</translation>
+    </message>
+    <message>
+        <source>&amp;Close landmark library</source>
+        <translation>&amp;Fermer la bibliothèque</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>Walk without taught landmarks</source>
+        <translation>Parcourir sans repères appris</translation>
+    </message>
+    <message>
+        <source>Open &amp;pictures…</source>
+        <translation>Ouvrir des &amp;images…</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>Images</translation>
+    </message>
+    <message>
+        <source>Choose a camera, a video, a folder or an address</source>
+        <translation>Choisir une caméra, une vidéo, un dossier ou une adresse</translation>
+    </message>
+    <message>
+        <source>&amp;Settings…</source>
+        <translation>&amp;Réglages…</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Réglages</translation>
+    </message>
+    <message>
+        <source>Language, voice and what is told</source>
+        <translation>Langue, voix et ce qui est dit</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Quitter</translation>
+    </message>
+    <message>
+        <source>Quit</source>
+        <translation>Quitter</translation>
+    </message>
+    <message>
+        <source>Leave Farol</source>
+        <translation>Quitter Farol</translation>
+    </message>
+    <message>
+        <source>&amp;Pause</source>
+        <translation>&amp;Pause</translation>
+    </message>
+    <message>
+        <source>&amp;Play</source>
+        <translation>&amp;Lecture</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Suspendre</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Lecture</translation>
+    </message>
+    <message>
+        <source>Hold the walk</source>
+        <translation>Suspendre le parcours</translation>
+    </message>
+    <message>
+        <source>Start the walk, or go on</source>
+        <translation>Commencer le parcours, ou continuer</translation>
+    </message>
+    <message>
+        <source>&amp;One picture</source>
+        <translation>&amp;Une image</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Pas à pas</translation>
+    </message>
+    <message>
+        <source>Go on by one picture, then hold</source>
+        <translation>Avancer d&apos;une image, puis s&apos;arrêter</translation>
+    </message>
+    <message>
+        <source>S&amp;top</source>
+        <translation>A&amp;rrêter</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Arrêter</translation>
+    </message>
+    <message>
+        <source>End the walk</source>
+        <translation>Terminer le parcours</translation>
+    </message>
+    <message>
+        <source>&amp;Faster</source>
+        <translation>Plus &amp;vite</translation>
+    </message>
+    <message>
+        <source>Faster</source>
+        <translation>Plus vite</translation>
+    </message>
+    <message>
+        <source>Play faster</source>
+        <translation>Lire plus vite</translation>
+    </message>
+    <message>
+        <source>&amp;Slower</source>
+        <translation>Plus le&amp;ntement</translation>
+    </message>
+    <message>
+        <source>Slower</source>
+        <translation>Plus lentement</translation>
+    </message>
+    <message>
+        <source>Play slower</source>
+        <translation>Lire plus lentement</translation>
+    </message>
+    <message>
+        <source>Choose &amp;destination</source>
+        <translation>Choisir la &amp;destination</translation>
+    </message>
+    <message>
+        <source>Destination</source>
+        <translation>Destination</translation>
+    </message>
+    <message>
+        <source>Choose where to go</source>
+        <translation>Choisir où aller</translation>
+    </message>
+    <message>
+        <source>&amp;No destination</source>
+        <translation>&amp;Sans destination</translation>
+    </message>
+    <message>
+        <source>No destination</source>
+        <translation>Sans destination</translation>
+    </message>
+    <message>
+        <source>Give up the destination</source>
+        <translation>Renoncer à la destination</translation>
+    </message>
+    <message>
+        <source>Choose st&amp;art</source>
+        <translation>Choisir le dépar&amp;t</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Départ</translation>
+    </message>
+    <message>
+        <source>Say where the walk starts</source>
+        <translation>Dire où commence le parcours</translation>
+    </message>
+    <message>
+        <source>&amp;Record the walk</source>
+        <translation>&amp;Enregistrer le parcours</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>Enregistrer</translation>
+    </message>
+    <message>
+        <source>Keep the next walk in a folder, to be replayed</source>
+        <translation>Garder le prochain parcours dans un dossier, pour le rejouer</translation>
+    </message>
+    <message>
+        <source>&amp;Repeat</source>
+        <translation>&amp;Répéter</translation>
+    </message>
+    <message>
+        <source>Repeat</source>
+        <translation>Répéter</translation>
+    </message>
+    <message>
+        <source>Say the last instruction again</source>
+        <translation>Redire la dernière instruction</translation>
+    </message>
+    <message>
+        <source>Voice o&amp;ff</source>
+        <translation>Voix &amp;coupée</translation>
+    </message>
+    <message>
+        <source>Voice off</source>
+        <translation>Voix coupée</translation>
+    </message>
+    <message>
+        <source>Show sentences without speaking them</source>
+        <translation>Montrer les phrases sans les dire</translation>
+    </message>
+    <message>
+        <source>Wal&amp;k page</source>
+        <translation>Page &amp;Parcours</translation>
+    </message>
+    <message>
+        <source>Walk</source>
+        <translation>Parcours</translation>
+    </message>
+    <message>
+        <source>Watch a walk</source>
+        <translation>Suivre un parcours</translation>
+    </message>
+    <message>
+        <source>&amp;Map page</source>
+        <translation>Page &amp;Carte</translation>
+    </message>
+    <message>
+        <source>Look at the map of a building, check it and change it</source>
+        <translation>Voir la carte d&apos;un bâtiment, la vérifier et la modifier</translation>
+    </message>
+    <message>
+        <source>&amp;Whole floor</source>
+        <translation>&amp;Tout l&apos;étage</translation>
+    </message>
+    <message>
+        <source>Whole floor</source>
+        <translation>Tout l&apos;étage</translation>
+    </message>
+    <message>
+        <source>Show the whole floor</source>
+        <translation>Montrer tout l&apos;étage</translation>
+    </message>
+    <message>
+        <source>&amp;Larger map</source>
+        <translation>Carte plus &amp;grande</translation>
+    </message>
+    <message>
+        <source>Larger</source>
+        <translation>Plus grand</translation>
+    </message>
+    <message>
+        <source>Show the map larger</source>
+        <translation>Montrer la carte plus grande</translation>
+    </message>
+    <message>
+        <source>&amp;Smaller map</source>
+        <translation>Carte p&amp;lus petite</translation>
+    </message>
+    <message>
+        <source>Smaller</source>
+        <translation>Plus petit</translation>
+    </message>
+    <message>
+        <source>Show the map smaller</source>
+        <translation>Montrer la carte plus petite</translation>
+    </message>
+    <message>
+        <source>&amp;Follow to other floors</source>
+        <translation>&amp;Suivre aux autres étages</translation>
+    </message>
+    <message>
+        <source>Follow</source>
+        <translation>Suivre</translation>
+    </message>
+    <message>
+        <source>Switch to the floor where you are</source>
+        <translation>Passer à l&apos;étage où vous êtes</translation>
+    </message>
+    <message>
+        <source>&amp;Grid over the picture</source>
+        <translation>G&amp;rille sur l&apos;image</translation>
+    </message>
+    <message>
+        <source>Grid</source>
+        <translation>Grille</translation>
+    </message>
+    <message>
+        <source>Show the nine parts of the picture</source>
+        <translation>Montrer les neuf parties de l&apos;image</translation>
+    </message>
+    <message>
+        <source>&amp;What was not accepted</source>
+        <translation>Ce qui &amp;n&apos;a pas été accepté</translation>
+    </message>
+    <message>
+        <source>Not accepted</source>
+        <translation>Non accepté</translation>
+    </message>
+    <message>
+        <source>Show what was nearly recognised, and why not</source>
+        <translation>Montrer ce qui a failli être reconnu, et pourquoi non</translation>
+    </message>
+    <message>
+        <source>&amp;Next part of the window</source>
+        <translation>Partie su&amp;ivante de la fenêtre</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Suivant</translation>
+    </message>
+    <message>
+        <source>Go to the next part of the window</source>
+        <translation>Aller à la partie suivante de la fenêtre</translation>
+    </message>
+    <message>
+        <source>&amp;Previous part of the window</source>
+        <translation>Partie précé&amp;dente de la fenêtre</translation>
+    </message>
+    <message>
+        <source>Previous</source>
+        <translation>Précédent</translation>
+    </message>
+    <message>
+        <source>Go to the previous part of the window</source>
+        <translation>Aller à la partie précédente de la fenêtre</translation>
+    </message>
+    <message>
+        <source>&amp;Keys</source>
+        <translation>&amp;Touches</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Touches</translation>
+    </message>
+    <message>
+        <source>Every key of this window</source>
+        <translation>Toutes les touches de cette fenêtre</translation>
+    </message>
+    <message>
+        <source>&amp;About Farol</source>
+        <translation>À &amp;propos de Farol</translation>
+    </message>
+    <message>
+        <source>About</source>
+        <translation>À propos</translation>
+    </message>
+    <message>
+        <source>What Farol is</source>
+        <translation>Ce qu&apos;est Farol</translation>
+    </message>
+    <message>
+        <source>&amp;Speed:</source>
+        <translation>&amp;Vitesse :</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Vitesse</translation>
+    </message>
+    <message>
+        <source>How fast pictures from files are played</source>
+        <translation>À quelle vitesse sont lues les images des fichiers</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::Words</name>
+    <message>
+        <source>room</source>
+        <translation>salle</translation>
+    </message>
+    <message>
+        <source>corridor</source>
+        <translation>couloir</translation>
+    </message>
+    <message>
+        <source>hall</source>
+        <translation>hall</translation>
+    </message>
+    <message>
+        <source>stairwell</source>
+        <translation>cage d&apos;escalier</translation>
+    </message>
+    <message>
+        <source>lift</source>
+        <translation>ascenseur</translation>
+    </message>
+    <message>
+        <source>toilet</source>
+        <translation>toilettes</translation>
+    </message>
+    <message>
+        <source>outside</source>
+        <translation>extérieur</translation>
+    </message>
+    <message>
+        <source>place</source>
+        <translation>lieu</translation>
+    </message>
+    <message>
+        <source>door</source>
+        <translation>porte</translation>
+    </message>
+    <message>
+        <source>opening</source>
+        <translation>ouverture</translation>
+    </message>
+    <message>
+        <source>stairs</source>
+        <translation>escalier</translation>
+    </message>
+    <message>
+        <source>escalator</source>
+        <translation>escalier mécanique</translation>
+    </message>
+    <message>
+        <source>ramp</source>
+        <translation>rampe</translation>
+    </message>
+    <message>
+        <source>window</source>
+        <translation>fenêtre</translation>
+    </message>
+    <message>
+        <source>passage</source>
+        <translation>passage</translation>
+    </message>
+    <message>
+        <source>level %1</source>
+        <translation>niveau %1</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>?</source>
+        <translation>?</translation>
+    </message>
+    <message>
+        <source>%1 between %2 and %3</source>
+        <translation>%1 entre %2 et %3</translation>
+    </message>
+    <message>
+        <source>%1 (closed)</source>
+        <translation>%1 (fermé)</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1 : %2</translation>
+    </message>
+    <message>
+        <source>%1: %2, in %3</source>
+        <translation>%1 : %2, dans %3</translation>
+    </message>
+    <message>
+        <source>waiting</source>
+        <translation>en attente</translation>
+    </message>
+    <message>
+        <source>speaking</source>
+        <translation>en cours</translation>
+    </message>
+    <message>
+        <source>spoken</source>
+        <translation>dit</translation>
+    </message>
+    <message>
+        <source>interrupted</source>
+        <translation>interrompu</translation>
+    </message>
+    <message>
+        <source>too late</source>
+        <translation>trop tard</translation>
+    </message>
+    <message>
+        <source>shown</source>
+        <translation>montré</translation>
+    </message>
+    <message>
+        <source>new route</source>
+        <translation>nouvel itinéraire</translation>
+    </message>
+    <message>
+        <source>coming up</source>
+        <translation>à venir</translation>
+    </message>
+    <message>
+        <source>do it now</source>
+        <translation>à faire maintenant</translation>
+    </message>
+    <message>
+        <source>keep going</source>
+        <translation>continuez</translation>
+    </message>
+    <message>
+        <source>arrived</source>
+        <translation>arrivée</translation>
+    </message>
+    <message>
+        <source>left the route</source>
+        <translation>itinéraire quitté</translation>
+    </message>
+    <message>
+        <source>place not known</source>
+        <translation>lieu inconnu</translation>
+    </message>
+    <message>
+        <source>place found</source>
+        <translation>lieu trouvé</translation>
+    </message>
+    <message>
+        <source>object seen</source>
+        <translation>objet vu</translation>
+    </message>
+    <message>
+        <source>text read</source>
+        <translation>texte lu</translation>
+    </message>
+    <message>
+        <source>no route</source>
+        <translation>pas d&apos;itinéraire</translation>
+    </message>
+    <message>
+        <source>already there</source>
+        <translation>déjà sur place</translation>
+    </message>
+    <message>
+        <source>asked for</source>
+        <translation>demandé</translation>
+    </message>
+    <message>
+        <source>warning</source>
+        <translation>avertissement</translation>
+    </message>
+    <message>
+        <source>sure</source>
+        <translation>sûr</translation>
+    </message>
+    <message>
+        <source>fairly sure</source>
+        <translation>assez sûr</translation>
+    </message>
+    <message>
+        <source>not sure</source>
+        <translation>pas sûr</translation>
+    </message>
+    <message>
+        <source>too few points fit</source>
+        <translation>trop peu de points concordent</translation>
+    </message>
+    <message>
+        <source>outline folded</source>
+        <translation>contour replié</translation>
+    </message>
+    <message>
+        <source>looks too different</source>
+        <translation>aspect trop différent</translation>
+    </message>
+    <message>
+        <source>objects</source>
+        <translation>objets</translation>
+    </message>
+    <message>
+        <source>best object</source>
+        <translation>meilleur objet</translation>
+    </message>
+    <message>
+        <source>near the last place</source>
+        <translation>près du dernier lieu</translation>
+    </message>
+    <message>
+        <source>on the way</source>
+        <translation>en chemin</translation>
+    </message>
+    <message>
+        <source>seen together</source>
+        <translation>vus ensemble</translation>
+    </message>
+    <message>
+        <source>weight of the place</source>
+        <translation>poids du lieu</translation>
+    </message>
+    <message>
+        <source>share seen here</source>
+        <translation>part vue ici</translation>
+    </message>
+    <message>
+        <source>share seen next door</source>
+        <translation>part vue à côté</translation>
+    </message>
+    <message>
+        <source>vote</source>
+        <translation>voix</translation>
+    </message>
+</context>
+</TS>

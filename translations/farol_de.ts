@@ -158,6 +158,77 @@
     </message>
 </context>
 <context>
+    <name>farol::ui::DemoBar</name>
+    <message>
+        <source>Visitor %1 arrived at %2 after %3. The next one comes in a moment.</source>
+        <translation>Besucher %1 ist nach %3 bei %2 angekommen. Der nächste kommt gleich.</translation>
+    </message>
+    <message>
+        <source>Visitor %1 did not come to %2 and was fetched. The next one comes in a moment.</source>
+        <translation>Besucher %1 kam nicht zu %2 und wurde abgeholt. Der nächste kommt gleich.</translation>
+    </message>
+    <message>
+        <source>A simulated building and camera. Visitor %1 wants to go from %2 to %3 (%4 m) and hears only what is said. Choose another destination at any time.</source>
+        <translation>Ein simuliertes Gebäude mit simulierter Kamera. Besucher %1 will von %2 zu %3 (%4 m) und hört nur, was gesagt wird. Ein anderes Ziel kann jederzeit gewählt werden.</translation>
+    </message>
+    <message>
+        <source>&amp;Demo</source>
+        <translation>V&amp;orführung</translation>
+    </message>
+    <message>
+        <source>Demo</source>
+        <translation>Vorführung</translation>
+    </message>
+    <message>
+        <source>&amp;Wrong turn</source>
+        <translation>&amp;Falsch abbiegen</translation>
+    </message>
+    <message>
+        <source>Wrong turn</source>
+        <translation>Falsch abbiegen</translation>
+    </message>
+    <message>
+        <source>The walker takes another way than was said</source>
+        <translation>Der Besucher geht einen anderen Weg als gesagt</translation>
+    </message>
+    <message>
+        <source>&amp;Cover the camera</source>
+        <translation>Kamera ver&amp;decken</translation>
+    </message>
+    <message>
+        <source>Cover camera</source>
+        <translation>Kamera verdecken</translation>
+    </message>
+    <message>
+        <source>A hand lies on the simulated camera</source>
+        <translation>Eine Hand liegt auf der simulierten Kamera</translation>
+    </message>
+    <message>
+        <source>&amp;Lights out</source>
+        <translation>&amp;Licht aus</translation>
+    </message>
+    <message>
+        <source>Lights out</source>
+        <translation>Licht aus</translation>
+    </message>
+    <message>
+        <source>Nearly dark in the whole building</source>
+        <translation>Fast dunkel im ganzen Gebäude</translation>
+    </message>
+    <message>
+        <source>&amp;Next visitor</source>
+        <translation>&amp;Nächster Besucher</translation>
+    </message>
+    <message>
+        <source>Next visitor</source>
+        <translation>Nächster Besucher</translation>
+    </message>
+    <message>
+        <source>End this walk; somebody else comes with another destination</source>
+        <translation>Diese Begehung beenden; jemand anders kommt mit einem anderen Ziel</translation>
+    </message>
+</context>
+<context>
     <name>farol::ui::DetectionModel</name>
     <message>
         <source>%1 %</source>
@@ -1479,6 +1550,33 @@ Open a camera, a video or a folder of pictures, then press Play.</source>
     </message>
 </context>
 <context>
+    <name>farol::ui::LocaliserMenu</name>
+    <message>
+        <source>&amp;How the place is worked out</source>
+        <translation>Wie der &amp;Ort gefunden wird</translation>
+    </message>
+    <message>
+        <source>Filter, for people who are &amp;guided</source>
+        <translation>Filter, für &amp;geführte Personen</translation>
+    </message>
+    <message>
+        <source>Filter, for people who &amp;know their way</source>
+        <translation>Filter, für &amp;Ortskundige</translation>
+    </message>
+    <message>
+        <source>&amp;Voting</source>
+        <translation>Ab&amp;stimmung</translation>
+    </message>
+    <message>
+        <source>Voting as first &amp;printed</source>
+        <translation>Abstimmung wie zuerst ge&amp;druckt</translation>
+    </message>
+    <message>
+        <source>From the next start of a walk</source>
+        <translation>Ab dem nächsten Start einer Begehung</translation>
+    </message>
+</context>
+<context>
     <name>farol::ui::MainWindow</name>
     <message>
         <source>About Farol</source>
@@ -1599,6 +1697,10 @@ Führt einen blinden Menschen mit einer gewöhnlichen Kamera durch ein Gebäude:
     <message>
         <source>Something is being loaded</source>
         <translation>Etwas wird geladen</translation>
+    </message>
+    <message>
+        <source>&amp;Next visitor now</source>
+        <translation>&amp;Nächster Besucher jetzt</translation>
     </message>
 </context>
 <context>
@@ -2039,6 +2141,10 @@ Führt einen blinden Menschen mit einer gewöhnlichen Kamera durch ein Gebäude:
     <message>
         <source>Drag to move, turn the wheel to zoom, double-click a place to go there</source>
         <translation>Ziehen zum Verschieben, Rad drehen zum Vergrößern, Doppelklick auf einen Ort, um dorthin zu gehen</translation>
+    </message>
+    <message>
+        <source>Taken to be in %1: %2. Really in %3.</source>
+        <translation>Angenommen bei %1: %2. Wirklich bei %3.</translation>
     </message>
 </context>
 <context>

@@ -158,6 +158,77 @@
     </message>
 </context>
 <context>
+    <name>farol::ui::DemoBar</name>
+    <message>
+        <source>Visitor %1 arrived at %2 after %3. The next one comes in a moment.</source>
+        <translation>El visitante %1 llegó a %2 en %3. El siguiente viene enseguida.</translation>
+    </message>
+    <message>
+        <source>Visitor %1 did not come to %2 and was fetched. The next one comes in a moment.</source>
+        <translation>El visitante %1 no llegó a %2 y fueron a buscarlo. El siguiente viene enseguida.</translation>
+    </message>
+    <message>
+        <source>A simulated building and camera. Visitor %1 wants to go from %2 to %3 (%4 m) and hears only what is said. Choose another destination at any time.</source>
+        <translation>Un edificio y una cámara simulados. El visitante %1 quiere ir de %2 a %3 (%4 m) y solo oye lo que se dice. Elija otro destino cuando quiera.</translation>
+    </message>
+    <message>
+        <source>&amp;Demo</source>
+        <translation>&amp;Demostración</translation>
+    </message>
+    <message>
+        <source>Demo</source>
+        <translation>Demostración</translation>
+    </message>
+    <message>
+        <source>&amp;Wrong turn</source>
+        <translation>&amp;Giro equivocado</translation>
+    </message>
+    <message>
+        <source>Wrong turn</source>
+        <translation>Giro equivocado</translation>
+    </message>
+    <message>
+        <source>The walker takes another way than was said</source>
+        <translation>Quien camina toma otro camino que el indicado</translation>
+    </message>
+    <message>
+        <source>&amp;Cover the camera</source>
+        <translation>&amp;Tapar la cámara</translation>
+    </message>
+    <message>
+        <source>Cover camera</source>
+        <translation>Tapar la cámara</translation>
+    </message>
+    <message>
+        <source>A hand lies on the simulated camera</source>
+        <translation>Una mano tapa la cámara simulada</translation>
+    </message>
+    <message>
+        <source>&amp;Lights out</source>
+        <translation>&amp;Apagar la luz</translation>
+    </message>
+    <message>
+        <source>Lights out</source>
+        <translation>Apagar la luz</translation>
+    </message>
+    <message>
+        <source>Nearly dark in the whole building</source>
+        <translation>Casi a oscuras en todo el edificio</translation>
+    </message>
+    <message>
+        <source>&amp;Next visitor</source>
+        <translation>&amp;Siguiente visitante</translation>
+    </message>
+    <message>
+        <source>Next visitor</source>
+        <translation>Siguiente visitante</translation>
+    </message>
+    <message>
+        <source>End this walk; somebody else comes with another destination</source>
+        <translation>Terminar este recorrido; viene otra persona con otro destino</translation>
+    </message>
+</context>
+<context>
     <name>farol::ui::DetectionModel</name>
     <message>
         <source>%1 %</source>
@@ -1479,6 +1550,33 @@ Abra una cámara, un vídeo o una carpeta de imágenes y pulse Reproducir.</tran
     </message>
 </context>
 <context>
+    <name>farol::ui::LocaliserMenu</name>
+    <message>
+        <source>&amp;How the place is worked out</source>
+        <translation>Cómo se deduce el &amp;lugar</translation>
+    </message>
+    <message>
+        <source>Filter, for people who are &amp;guided</source>
+        <translation>Filtro, para personas &amp;guiadas</translation>
+    </message>
+    <message>
+        <source>Filter, for people who &amp;know their way</source>
+        <translation>Filtro, para quien &amp;conoce el camino</translation>
+    </message>
+    <message>
+        <source>&amp;Voting</source>
+        <translation>&amp;Votación</translation>
+    </message>
+    <message>
+        <source>Voting as first &amp;printed</source>
+        <translation>Votación como se &amp;publicó</translation>
+    </message>
+    <message>
+        <source>From the next start of a walk</source>
+        <translation>Desde el próximo inicio de un recorrido</translation>
+    </message>
+</context>
+<context>
     <name>farol::ui::MainWindow</name>
     <message>
         <source>About Farol</source>
@@ -1599,6 +1697,10 @@ Guía a una persona ciega por un edificio con una cámara corriente: reconoce lo
     <message>
         <source>Something is being loaded</source>
         <translation>Se está cargando algo</translation>
+    </message>
+    <message>
+        <source>&amp;Next visitor now</source>
+        <translation>&amp;Siguiente visitante ahora</translation>
     </message>
 </context>
 <context>
@@ -2039,6 +2141,10 @@ Guía a una persona ciega por un edificio con una cámara corriente: reconoce lo
     <message>
         <source>Drag to move, turn the wheel to zoom, double-click a place to go there</source>
         <translation>Arrastre para mover, gire la rueda para ampliar, haga doble clic en un lugar para ir allí</translation>
+    </message>
+    <message>
+        <source>Taken to be in %1: %2. Really in %3.</source>
+        <translation>Se le supone en %1: %2. En realidad en %3.</translation>
     </message>
 </context>
 <context>

@@ -158,6 +158,77 @@
     </message>
 </context>
 <context>
+    <name>farol::ui::DemoBar</name>
+    <message>
+        <source>Visitor %1 arrived at %2 after %3. The next one comes in a moment.</source>
+        <translation>Le visiteur %1 est arrivé à %2 en %3. Le suivant vient dans un instant.</translation>
+    </message>
+    <message>
+        <source>Visitor %1 did not come to %2 and was fetched. The next one comes in a moment.</source>
+        <translation>Le visiteur %1 n&apos;est pas arrivé à %2 et on est venu le chercher. Le suivant vient dans un instant.</translation>
+    </message>
+    <message>
+        <source>A simulated building and camera. Visitor %1 wants to go from %2 to %3 (%4 m) and hears only what is said. Choose another destination at any time.</source>
+        <translation>Un bâtiment et une caméra simulés. Le visiteur %1 veut aller de %2 à %3 (%4 m) et n&apos;entend que ce qui est dit. Choisissez une autre destination à tout moment.</translation>
+    </message>
+    <message>
+        <source>&amp;Demo</source>
+        <translation>Dé&amp;monstration</translation>
+    </message>
+    <message>
+        <source>Demo</source>
+        <translation>Démonstration</translation>
+    </message>
+    <message>
+        <source>&amp;Wrong turn</source>
+        <translation>&amp;Mauvais tournant</translation>
+    </message>
+    <message>
+        <source>Wrong turn</source>
+        <translation>Mauvais tournant</translation>
+    </message>
+    <message>
+        <source>The walker takes another way than was said</source>
+        <translation>Le marcheur prend un autre chemin que celui qui a été dit</translation>
+    </message>
+    <message>
+        <source>&amp;Cover the camera</source>
+        <translation>&amp;Couvrir la caméra</translation>
+    </message>
+    <message>
+        <source>Cover camera</source>
+        <translation>Couvrir la caméra</translation>
+    </message>
+    <message>
+        <source>A hand lies on the simulated camera</source>
+        <translation>Une main couvre la caméra simulée</translation>
+    </message>
+    <message>
+        <source>&amp;Lights out</source>
+        <translation>&amp;Éteindre la lumière</translation>
+    </message>
+    <message>
+        <source>Lights out</source>
+        <translation>Éteindre la lumière</translation>
+    </message>
+    <message>
+        <source>Nearly dark in the whole building</source>
+        <translation>Presque noir dans tout le bâtiment</translation>
+    </message>
+    <message>
+        <source>&amp;Next visitor</source>
+        <translation>Visiteur &amp;suivant</translation>
+    </message>
+    <message>
+        <source>Next visitor</source>
+        <translation>Visiteur suivant</translation>
+    </message>
+    <message>
+        <source>End this walk; somebody else comes with another destination</source>
+        <translation>Terminer ce parcours ; une autre personne vient avec une autre destination</translation>
+    </message>
+</context>
+<context>
     <name>farol::ui::DetectionModel</name>
     <message>
         <source>%1 %</source>
@@ -1479,6 +1550,33 @@ Ouvrez une caméra, une vidéo ou un dossier d&apos;images, puis appuyez sur Lec
     </message>
 </context>
 <context>
+    <name>farol::ui::LocaliserMenu</name>
+    <message>
+        <source>&amp;How the place is worked out</source>
+        <translation>Comment le l&amp;ieu est trouvé</translation>
+    </message>
+    <message>
+        <source>Filter, for people who are &amp;guided</source>
+        <translation>Filtre, pour personnes &amp;guidées</translation>
+    </message>
+    <message>
+        <source>Filter, for people who &amp;know their way</source>
+        <translation>Filtre, pour qui &amp;connaît le chemin</translation>
+    </message>
+    <message>
+        <source>&amp;Voting</source>
+        <translation>&amp;Vote</translation>
+    </message>
+    <message>
+        <source>Voting as first &amp;printed</source>
+        <translation>Vote, comme d&apos;abord &amp;publié</translation>
+    </message>
+    <message>
+        <source>From the next start of a walk</source>
+        <translation>Dès le prochain départ d&apos;un parcours</translation>
+    </message>
+</context>
+<context>
     <name>farol::ui::MainWindow</name>
     <message>
         <source>About Farol</source>
@@ -1599,6 +1697,10 @@ Guide une personne aveugle dans un bâtiment avec une simple caméra : il recon
     <message>
         <source>Something is being loaded</source>
         <translation>Un chargement est en cours</translation>
+    </message>
+    <message>
+        <source>&amp;Next visitor now</source>
+        <translation>Visiteur &amp;suivant maintenant</translation>
     </message>
 </context>
 <context>
@@ -2039,6 +2141,10 @@ Guide une personne aveugle dans un bâtiment avec une simple caméra : il recon
     <message>
         <source>Drag to move, turn the wheel to zoom, double-click a place to go there</source>
         <translation>Glissez pour déplacer, tournez la molette pour zoomer, double-cliquez sur un lieu pour y aller</translation>
+    </message>
+    <message>
+        <source>Taken to be in %1: %2. Really in %3.</source>
+        <translation>Supposé ici : %1 : %2. En réalité ici : %3.</translation>
     </message>
 </context>
 <context>

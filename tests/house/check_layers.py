@@ -22,7 +22,7 @@ CORE = {
 }
 ALL_CORE = set(CORE)
 UI = {
-    "convert": set(),
+    "convert": {"speech"},  # names of the map in the language that is spoken
     "speech": set(),
     "settings": {"speech"},
     "models": {"convert", "speech"},

@@ -70,6 +70,7 @@ private Q_SLOTS:
     void init();
     void ownEngineComesFirst();
     void speaksEnglishAndPortuguese();
+    void speaksSpanishFrenchAndGerman();
     void everyWordIsSounded();
     void rateAndVolumeAreHeard();
     void voiceIsChosenByName();
@@ -155,6 +156,24 @@ void TestSpeechOutput::speaksEnglishAndPortuguese() {
     // Letters read by the wrong language's rules take another time: the voice is not a name only.
     const Wav misread = spoken(own(QStringLiteral("en")), text);
     QVERIFY(std::abs(misread.seconds - portuguese.seconds) > 0.1);
+}
+
+void TestSpeechOutput::speaksSpanishFrenchAndGerman() {
+    struct Said {
+        const char *language, *voice, *text;
+    };
+    for (const Said& said :
+         {Said{"es", "Spanish", "A unos 6 metros, cruce la tercera puerta a su izquierda."},
+          Said{"fr", "French", "Dans environ 6 mètres, passez par la troisième porte à votre gauche."},
+          Said{"de", "German", "In etwa 6 Metern gehen Sie durch die dritte Tür links."}}) {
+        const QString text = QString::fromUtf8(said.text);
+        const Wav wav = spoken(own(QString::fromLatin1(said.language)), text);
+        QVERIFY2(wav.voice.contains(QLatin1String(said.voice)), qPrintable(wav.voice));
+        QVERIFY2(wav.seconds > 2.0 && wav.seconds < 6.0, qPrintable(QString::number(wav.seconds)));
+        QVERIFY(wav.loudness > 500.0);
+        const Wav misread = spoken(own(QStringLiteral("en")), text);
+        QVERIFY2(std::abs(misread.seconds - wav.seconds) > 0.05, said.language);
+    }
 }
 
 /// The short orders that another engine swallows.

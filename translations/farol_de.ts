@@ -158,6 +158,32 @@
     </message>
 </context>
 <context>
+    <name>farol::ui::ConfusionModel</name>
+    <message>
+        <source>%1/%2</source>
+        <translation>%1/%2</translation>
+    </message>
+    <message>
+        <source>–</source>
+        <translation>–</translation>
+    </message>
+    <message>
+        <source>%1: found in %2 of %3 views</source>
+        <translation>%1: in %2 von %3 Ansichten gefunden</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 taken for %2: %n time(s)</source>
+        <translation>
+            <numerusform>%1 für %2 gehalten: einmal</numerusform>
+            <numerusform>%1 für %2 gehalten: %n-mal</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1  %2</source>
+        <translation>%1  %2</translation>
+    </message>
+</context>
+<context>
     <name>farol::ui::DemoBar</name>
     <message>
         <source>Visitor %1 arrived at %2 after %3. The next one comes in a moment.</source>
@@ -253,6 +279,57 @@
     <message>
         <source>Match</source>
         <translation>Übereinstimmung</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::EditTemplateDialog</name>
+    <message>
+        <source>Change “%1”</source>
+        <translation>„%1“ ändern</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>nicht bekannt</translation>
+    </message>
+    <message>
+        <source>%1:</source>
+        <translation>%1:</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>What people call it</source>
+        <translation>Wie die Leute es nennen</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>What it is</source>
+        <translation>Was es ist</translation>
+    </message>
+    <message>
+        <source>Real width</source>
+        <translation>Wirkliche Breite</translation>
+    </message>
+    <message>
+        <source>Lets Farol tell how far away it is</source>
+        <translation>Daraus weiß Farol, wie weit es weg ist</translation>
+    </message>
+    <message>
+        <source>Real height</source>
+        <translation>Wirkliche Höhe</translation>
+    </message>
+    <message>
+        <source>In maps called</source>
+        <translation>In Karten genannt</translation>
+    </message>
+    <message>
+        <source>Landmarks of the map refer to it by this word: when it changes, change them too</source>
+        <translation>Landmarken der Karte nennen es mit diesem Wort: Ändert es sich, ändern Sie auch diese</translation>
     </message>
 </context>
 <context>
@@ -1503,6 +1580,196 @@ Open a camera, a video or a folder of pictures, then press Play.</source>
     </message>
 </context>
 <context>
+    <name>farol::ui::LibraryDocument</name>
+    <message>
+        <source>The library was changed meanwhile; try again.</source>
+        <translation>Die Bibliothek wurde inzwischen geändert; versuchen Sie es noch einmal.</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::LibraryModel</name>
+    <message>
+        <source>not known</source>
+        <translation>nicht bekannt</translation>
+    </message>
+    <message>
+        <source>?</source>
+        <translation>?</translation>
+    </message>
+    <message>
+        <source>%1 × %2 m</source>
+        <translation>%1 × %2 m</translation>
+    </message>
+    <message>
+        <source>not checked</source>
+        <translation>nicht geprüft</translation>
+    </message>
+    <message>
+        <source>In maps called “%1”</source>
+        <translation>In Karten „%1“ genannt</translation>
+    </message>
+    <message>
+        <source>Landmark</source>
+        <translation>Landmarke</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Real size</source>
+        <translation>Wirkliche Größe</translation>
+    </message>
+    <message>
+        <source>Views</source>
+        <translation>Ansichten</translation>
+    </message>
+    <message>
+        <source>How well it is found</source>
+        <translation>Wie gut es gefunden wird</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::LibraryPanel</name>
+    <message>
+        <source>Nothing is chosen</source>
+        <translation>Nichts gewählt</translation>
+    </message>
+    <message>
+        <source>Not checked yet. “Check all” looks how well each landmark is found.</source>
+        <translation>Noch nicht geprüft. „Alle prüfen“ sieht nach, wie gut jede Landmarke gefunden wird.</translation>
+    </message>
+    <message>
+        <source>View %1</source>
+        <translation>Ansicht %1</translation>
+    </message>
+    <message>
+        <source>Each view is held back once and looked for with the others; then each landmark is shown smaller and turned.</source>
+        <translation>Jede Ansicht wird einmal zurückgehalten und mit den anderen gesucht; dann wird jede Landmarke kleiner und gedreht gezeigt.</translation>
+    </message>
+    <message>
+        <source>Not checked yet. “Check all” looks how well each landmark is found, and which are taken for each other.</source>
+        <translation>Noch nicht geprüft. „Alle prüfen“ sieht nach, wie gut jede Landmarke gefunden wird und welche verwechselt werden.</translation>
+    </message>
+    <message>
+        <source>All landmarks are found well.</source>
+        <translation>Alle Landmarken werden gut gefunden.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n landmark(s) need care.</source>
+        <translation>
+            <numerusform>Eine Landmarke braucht Pflege.</numerusform>
+            <numerusform>%n Landmarken brauchen Pflege.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>None is taken for another.</source>
+        <translation>Keine wird für eine andere gehalten.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pair(s) are taken for each other.</source>
+        <translation>
+            <numerusform>Ein Paar wird verwechselt.</numerusform>
+            <numerusform>%n Paare werden verwechselt.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Rows: whose picture was shown. Columns: what was seen in it. On the diagonal: views found again.</source>
+        <translation>Zeilen: wessen Bild gezeigt wurde. Spalten: was darin gesehen wurde. Auf der Diagonale: wiedergefundene Ansichten.</translation>
+    </message>
+    <message>
+        <source>The library was changed since: check again.</source>
+        <translation>Die Bibliothek wurde seitdem geändert: Prüfen Sie noch einmal.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n landmark(s)</source>
+        <translation>
+            <numerusform>eine Landmarke</numerusform>
+            <numerusform>%n Landmarken</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Landmarks</source>
+        <translation>Landmarken</translation>
+    </message>
+    <message>
+        <source>This library is empty. “Teach” begins with the first landmark.</source>
+        <translation>Diese Bibliothek ist leer. „Beibringen“ beginnt mit der ersten Landmarke.</translation>
+    </message>
+    <message>
+        <source>Open a landmark library, or make a new one, to teach Farol what it shall know again.</source>
+        <translation>Öffnen Sie eine Landmarkenbibliothek oder legen Sie eine neue an, um Farol beizubringen, was es wiedererkennen soll.</translation>
+    </message>
+    <message>
+        <source>Landmarks of the library</source>
+        <translation>Landmarken der Bibliothek</translation>
+    </message>
+    <message>
+        <source>The landmarks that Farol was taught; press Enter to add views to one</source>
+        <translation>Die Landmarken, die Farol gelernt hat; Eingabe fügt einer Ansichten hinzu</translation>
+    </message>
+    <message>
+        <source>Views of the landmark</source>
+        <translation>Ansichten der Landmarke</translation>
+    </message>
+    <message>
+        <source>The photographs it is learnt from; choose some of them to split or to delete them</source>
+        <translation>Die Fotos, aus denen sie gelernt ist; wählen Sie einige, um sie abzutrennen oder zu löschen</translation>
+    </message>
+    <message>
+        <source>&amp;Views:</source>
+        <translation>&amp;Ansichten:</translation>
+    </message>
+    <message>
+        <source>Landmark</source>
+        <translation>Landmarke</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Bericht</translation>
+    </message>
+    <message>
+        <source>Details</source>
+        <translation>Einzelheiten</translation>
+    </message>
+    <message>
+        <source>C&amp;heck all</source>
+        <translation>Alle &amp;prüfen</translation>
+    </message>
+    <message>
+        <source>Check all landmarks</source>
+        <translation>Alle Landmarken prüfen</translation>
+    </message>
+    <message>
+        <source>Look how well each landmark is found and which are taken for each other</source>
+        <translation>Nachsehen, wie gut jede Landmarke gefunden wird und welche verwechselt werden</translation>
+    </message>
+    <message>
+        <source>Save as CS&amp;V…</source>
+        <translation>Als &amp;CSV speichern…</translation>
+    </message>
+    <message>
+        <source>Save the report as CSV</source>
+        <translation>Den Bericht als CSV speichern</translation>
+    </message>
+    <message>
+        <source>Save the report for a spreadsheet</source>
+        <translation>Den Bericht für eine Tabellenkalkulation speichern</translation>
+    </message>
+    <message>
+        <source>Progress of the check</source>
+        <translation>Fortschritt der Prüfung</translation>
+    </message>
+    <message>
+        <source>Who is taken for whom</source>
+        <translation>Wer für wen gehalten wird</translation>
+    </message>
+    <message>
+        <source>Rows: whose picture was shown. Columns: what was seen in it.</source>
+        <translation>Zeilen: wessen Bild gezeigt wurde. Spalten: was darin gesehen wurde.</translation>
+    </message>
+</context>
+<context>
     <name>farol::ui::LivePage</name>
     <message>
         <source>What was said</source>
@@ -1687,10 +1954,6 @@ Führt einen blinden Menschen mit einer gewöhnlichen Kamera durch ein Gebäude:
         <translation>Seiten</translation>
     </message>
     <message>
-        <source>Watch a walk, or work on a map (Ctrl+1, Ctrl+2)</source>
-        <translation>Eine Begehung verfolgen oder an einer Karte arbeiten (Strg+1, Strg+2)</translation>
-    </message>
-    <message>
         <source>State of the walk</source>
         <translation>Stand der Begehung</translation>
     </message>
@@ -1701,6 +1964,38 @@ Führt einen blinden Menschen mit einer gewöhnlichen Kamera durch ein Gebäude:
     <message>
         <source>&amp;Next visitor now</source>
         <translation>&amp;Nächster Besucher jetzt</translation>
+    </message>
+    <message>
+        <source>Landmarks</source>
+        <translation>Landmarken</translation>
+    </message>
+    <message>
+        <source>Watch a walk, work on a map, or teach landmarks (Ctrl+1 to Ctrl+3)</source>
+        <translation>Eine Begehung verfolgen, an einer Karte arbeiten oder Landmarken beibringen (Strg+1 bis Strg+3)</translation>
+    </message>
+    <message>
+        <source>The landmark library was changed on the Landmarks page.</source>
+        <translation>Die Landmarkenbibliothek wurde auf der Seite Landmarken geändert.</translation>
+    </message>
+    <message>
+        <source>Start &amp;again with it</source>
+        <translation>&amp;Neu beginnen damit</translation>
+    </message>
+    <message>
+        <source>Changes are not saved</source>
+        <translation>Änderungen sind nicht gespeichert</translation>
+    </message>
+    <message>
+        <source>The landmark library could not be written; its last changes would be lost.</source>
+        <translation>Die Landmarkenbibliothek konnte nicht geschrieben werden; ihre letzten Änderungen gingen verloren.</translation>
+    </message>
+    <message>
+        <source>&amp;Leave all the same</source>
+        <translation>&amp;Trotzdem verlassen</translation>
+    </message>
+    <message>
+        <source>&amp;Stay</source>
+        <translation>&amp;Bleiben</translation>
     </message>
 </context>
 <context>
@@ -2060,6 +2355,14 @@ Führt einen blinden Menschen mit einer gewöhnlichen Kamera durch ein Gebäude:
         <source>%1 cannot be written. Choose another folder.</source>
         <translation>%1 kann nicht geschrieben werden. Wählen Sie einen anderen Ordner.</translation>
     </message>
+    <message>
+        <source>Open the map on which the landmark shall stand.</source>
+        <translation>Öffnen Sie die Karte, auf der die Landmarke stehen soll.</translation>
+    </message>
+    <message>
+        <source>&amp;Open map…</source>
+        <translation>Karte ö&amp;ffnen…</translation>
+    </message>
 </context>
 <context>
     <name>farol::ui::MapPanel</name>
@@ -2162,6 +2465,37 @@ Führt einen blinden Menschen mit einer gewöhnlichen Kamera durch ein Gebäude:
 Open one with Ctrl+O.</source>
         <translation>Es ist keine Karte geöffnet.
 Öffnen Sie eine mit Strg+O.</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::OutlineView</name>
+    <message>
+        <source>No picture yet</source>
+        <translation>Noch kein Bild</translation>
+    </message>
+    <message>
+        <source>The whole picture counts</source>
+        <translation>Das ganze Bild zählt</translation>
+    </message>
+    <message>
+        <source>top left</source>
+        <translation>oben links</translation>
+    </message>
+    <message>
+        <source>top right</source>
+        <translation>oben rechts</translation>
+    </message>
+    <message>
+        <source>bottom right</source>
+        <translation>unten rechts</translation>
+    </message>
+    <message>
+        <source>bottom left</source>
+        <translation>unten links</translation>
+    </message>
+    <message>
+        <source>Corner %1, %2, is %3 to the right and %4 down</source>
+        <translation>Ecke %1, %2, liegt %3 nach rechts und %4 nach unten</translation>
     </message>
 </context>
 <context>
@@ -3341,6 +3675,13 @@ Open one with Ctrl+O.</source>
     <message>
         <source>to the north</source>
         <translation>im Norden</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::PictureReel</name>
+    <message>
+        <source>There are no pictures in %1.</source>
+        <translation>In %1 sind keine Bilder.</translation>
     </message>
 </context>
 <context>
@@ -4675,6 +5016,968 @@ Open one with Ctrl+O.</source>
     </message>
 </context>
 <context>
+    <name>farol::ui::TeachPanel</name>
+    <message>
+        <source>Give up?</source>
+        <translation>Aufgeben?</translation>
+    </message>
+    <message>
+        <source>What you have taught of this landmark will be lost.</source>
+        <translation>Was Sie von dieser Landmarke beigebracht haben, geht verloren.</translation>
+    </message>
+    <message>
+        <source>&amp;Give it up</source>
+        <translation>&amp;Aufgeben</translation>
+    </message>
+    <message>
+        <source>&amp;Keep it</source>
+        <translation>&amp;Behalten</translation>
+    </message>
+    <message>
+        <source>Add a view first.</source>
+        <translation>Fügen Sie zuerst eine Ansicht hinzu.</translation>
+    </message>
+    <message>
+        <source>Learning…</source>
+        <translation>Lernt…</translation>
+    </message>
+    <message>
+        <source>A new landmark</source>
+        <translation>Eine neue Landmarke</translation>
+    </message>
+    <message>
+        <source>What it is</source>
+        <translation>Was es ist</translation>
+    </message>
+    <message>
+        <source>Views</source>
+        <translation>Ansichten</translation>
+    </message>
+    <message>
+        <source>Trial</source>
+        <translation>Probe</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Karte</translation>
+    </message>
+    <message>
+        <source>%1. %2</source>
+        <translation>%1. %2</translation>
+    </message>
+    <message>
+        <source>Step %1 of %2: %3</source>
+        <translation>Schritt %1 von %2: %3</translation>
+    </message>
+    <message>
+        <source>&amp;Done</source>
+        <translation>&amp;Fertig</translation>
+    </message>
+    <message>
+        <source>&amp;Save it</source>
+        <translation>&amp;Speichern</translation>
+    </message>
+    <message>
+        <source>&amp;Go on</source>
+        <translation>&amp;Weiter</translation>
+    </message>
+    <message>
+        <source>Go back to the library</source>
+        <translation>Zurück zur Bibliothek</translation>
+    </message>
+    <message>
+        <source>Put it into the library</source>
+        <translation>In die Bibliothek aufnehmen</translation>
+    </message>
+    <message>
+        <source>The next step</source>
+        <translation>Der nächste Schritt</translation>
+    </message>
+    <message>
+        <source>“%1” is in the library. Where does it hang? Put it on the map, so that Farol knows where you are when it is seen. The same landmark can hang in several places.</source>
+        <translation>„%1“ ist in der Bibliothek. Wo hängt es? Setzen Sie es auf die Karte, damit Farol weiß, wo Sie sind, wenn es gesehen wird. Dieselbe Landmarke kann an mehreren Orten hängen.</translation>
+    </message>
+    <message>
+        <source>&amp;Back</source>
+        <translation>&amp;Zurück</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>The step before</source>
+        <translation>Der vorige Schritt</translation>
+    </message>
+    <message>
+        <source>Put as&amp;ide</source>
+        <translation>Beiseite&amp;legen</translation>
+    </message>
+    <message>
+        <source>Put aside</source>
+        <translation>Beiseitelegen</translation>
+    </message>
+    <message>
+        <source>Go back to the library and go on with this landmark later</source>
+        <translation>Zurück zur Bibliothek und später mit dieser Landmarke weitermachen</translation>
+    </message>
+    <message>
+        <source>Give &amp;up</source>
+        <translation>A&amp;ufgeben</translation>
+    </message>
+    <message>
+        <source>Give up</source>
+        <translation>Aufgeben</translation>
+    </message>
+    <message>
+        <source>Forget this landmark</source>
+        <translation>Diese Landmarke vergessen</translation>
+    </message>
+    <message>
+        <source>Put it on the &amp;map…</source>
+        <translation>Auf die &amp;Karte setzen…</translation>
+    </message>
+    <message>
+        <source>Put it on the map</source>
+        <translation>Auf die Karte setzen</translation>
+    </message>
+    <message>
+        <source>Choose its place on the Map page</source>
+        <translation>Den Ort auf der Seite Karte wählen</translation>
+    </message>
+    <message>
+        <source>Teach an&amp;other</source>
+        <translation>Ei&amp;ne weitere beibringen</translation>
+    </message>
+    <message>
+        <source>Teach another</source>
+        <translation>Eine weitere beibringen</translation>
+    </message>
+    <message>
+        <source>Teach the next landmark</source>
+        <translation>Die nächste Landmarke beibringen</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::TeachSession</name>
+    <message>
+        <source>Give it a name first.</source>
+        <translation>Geben Sie ihr zuerst einen Namen.</translation>
+    </message>
+    <message>
+        <source>Say what maps shall call it: letters and digits.</source>
+        <translation>Sagen Sie, wie Karten es nennen sollen: Buchstaben und Ziffern.</translation>
+    </message>
+    <message>
+        <source>“%1” is in the library already. Choose another name, or add views to that one.</source>
+        <translation>„%1“ ist schon in der Bibliothek. Wählen Sie einen anderen Namen, oder fügen Sie dort Ansichten hinzu.</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::TeachTry</name>
+    <message>
+        <source>Folder of a recorded walk, or of pictures</source>
+        <translation>Ordner einer aufgenommenen Begehung oder von Bildern</translation>
+    </message>
+    <message>
+        <source>Found, %1 % sure.</source>
+        <translation>Gefunden, zu %1 % sicher.</translation>
+    </message>
+    <message>
+        <source>About %1 m away.</source>
+        <translation>Etwa %1 m entfernt.</translation>
+    </message>
+    <message>
+        <source>Not found.</source>
+        <translation>Nicht gefunden.</translation>
+    </message>
+    <message>
+        <source>Not found: %1.</source>
+        <translation>Nicht gefunden: %1.</translation>
+    </message>
+    <message>
+        <source>Also seen: %1.</source>
+        <translation>Auch gesehen: %1.</translation>
+    </message>
+    <message>
+        <source>Found in %1 of %2 pictures looked at.</source>
+        <translation>In %1 von %2 angesehenen Bildern gefunden.</translation>
+    </message>
+    <message>
+        <source>Looking…</source>
+        <translation>Sucht…</translation>
+    </message>
+    <message>
+        <source>No picture yet.</source>
+        <translation>Noch kein Bild.</translation>
+    </message>
+    <message>
+        <source>Looking how well it is found…</source>
+        <translation>Sieht nach, wie gut es gefunden wird…</translation>
+    </message>
+    <message>
+        <source>Walk towards it, past it and away from it, or step through other pictures, and see whether Farol finds it. Go back to add views where it is lost.</source>
+        <translation>Gehen Sie darauf zu, daran vorbei und davon weg, oder blättern Sie durch andere Bilder, und sehen Sie, ob Farol es findet. Gehen Sie zurück, um Ansichten zu ergänzen, wo es verloren geht.</translation>
+    </message>
+    <message>
+        <source>&amp;Camera</source>
+        <translation>&amp;Kamera</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <source>Look for it with the camera of this computer</source>
+        <translation>Mit der Kamera dieses Computers danach suchen</translation>
+    </message>
+    <message>
+        <source>&amp;Recording…</source>
+        <translation>&amp;Aufnahme…</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Aufnahme</translation>
+    </message>
+    <message>
+        <source>Look for it in a recorded walk, or in any folder of pictures</source>
+        <translation>In einer aufgenommenen Begehung oder einem Bilderordner danach suchen</translation>
+    </message>
+    <message>
+        <source>Pre&amp;vious picture</source>
+        <translation>&amp;Voriges Bild</translation>
+    </message>
+    <message>
+        <source>Previous picture</source>
+        <translation>Voriges Bild</translation>
+    </message>
+    <message>
+        <source>The picture before</source>
+        <translation>Das Bild davor</translation>
+    </message>
+    <message>
+        <source>Ne&amp;xt picture</source>
+        <translation>&amp;Nächstes Bild</translation>
+    </message>
+    <message>
+        <source>Next picture</source>
+        <translation>Nächstes Bild</translation>
+    </message>
+    <message>
+        <source>The picture after</source>
+        <translation>Das Bild danach</translation>
+    </message>
+    <message>
+        <source>Picture with what was recognised</source>
+        <translation>Bild mit dem Erkannten</translation>
+    </message>
+    <message>
+        <source>What was recognised in this picture, and what nearly was</source>
+        <translation>Was in diesem Bild erkannt wurde, und was beinahe</translation>
+    </message>
+    <message>
+        <source>How well it will be found</source>
+        <translation>Wie gut es gefunden wird</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::TeachViews</name>
+    <message>
+        <source>No outline was found. Set the four corners yourself.</source>
+        <translation>Es wurde kein Umriss gefunden. Setzen Sie die vier Ecken selbst.</translation>
+    </message>
+    <message>
+        <source>Photographs</source>
+        <translation>Fotos</translation>
+    </message>
+    <message>
+        <source>Pictures (%1);;All files (%2)</source>
+        <translation>Bilder (%1);;Alle Dateien (%2)</translation>
+    </message>
+    <message>
+        <source>Folder of a recorded walk, or of pictures</source>
+        <translation>Ordner einer aufgenommenen Begehung oder von Bildern</translation>
+    </message>
+    <message>
+        <source>Learning this view…</source>
+        <translation>Lernt diese Ansicht…</translation>
+    </message>
+    <message numerus="yes">
+        <source>This picture is good: %n point(s).</source>
+        <translation>
+            <numerusform>Dieses Bild ist gut: ein Punkt.</numerusform>
+            <numerusform>Dieses Bild ist gut: %n Punkte.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Coach: %1</source>
+        <translation>Rat: %1</translation>
+    </message>
+    <message>
+        <source>View %1</source>
+        <translation>Ansicht %1</translation>
+    </message>
+    <message>
+        <source>%1 (%2 of %3)</source>
+        <translation>%1 (%2 von %3)</translation>
+    </message>
+    <message>
+        <source>Looking how well it is found…</source>
+        <translation>Sieht nach, wie gut es gefunden wird…</translation>
+    </message>
+    <message>
+        <source>Nothing yet: add a view.</source>
+        <translation>Noch nichts: Fügen Sie eine Ansicht hinzu.</translation>
+    </message>
+    <message numerus="yes">
+        <source>With the %n view(s) it had before.</source>
+        <translation>
+            <numerusform>Mit der einen Ansicht von vorher.</numerusform>
+            <numerusform>Mit den %n Ansichten von vorher.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>&amp;Camera</source>
+        <translation>&amp;Kamera</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <source>Take photographs with the camera of this computer</source>
+        <translation>Mit der Kamera dieses Computers fotografieren</translation>
+    </message>
+    <message>
+        <source>&amp;Pictures…</source>
+        <translation>&amp;Bilder…</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>Choose photographs from files</source>
+        <translation>Fotos aus Dateien wählen</translation>
+    </message>
+    <message>
+        <source>&amp;Recording…</source>
+        <translation>&amp;Aufnahme…</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Aufnahme</translation>
+    </message>
+    <message>
+        <source>Choose the folder of a recorded walk, or any folder of pictures</source>
+        <translation>Den Ordner einer aufgenommenen Begehung oder einen Bilderordner wählen</translation>
+    </message>
+    <message>
+        <source>&amp;Hold</source>
+        <translation>Festha&amp;lten</translation>
+    </message>
+    <message>
+        <source>Hold the picture</source>
+        <translation>Das Bild festhalten</translation>
+    </message>
+    <message>
+        <source>Keep the picture that the camera shows now</source>
+        <translation>Das Bild behalten, das die Kamera jetzt zeigt</translation>
+    </message>
+    <message>
+        <source>Pre&amp;vious picture</source>
+        <translation>&amp;Voriges Bild</translation>
+    </message>
+    <message>
+        <source>Previous picture</source>
+        <translation>Voriges Bild</translation>
+    </message>
+    <message>
+        <source>The picture before</source>
+        <translation>Das Bild davor</translation>
+    </message>
+    <message>
+        <source>Ne&amp;xt picture</source>
+        <translation>&amp;Nächstes Bild</translation>
+    </message>
+    <message>
+        <source>Next picture</source>
+        <translation>Nächstes Bild</translation>
+    </message>
+    <message>
+        <source>The picture after</source>
+        <translation>Das Bild danach</translation>
+    </message>
+    <message>
+        <source>&amp;Find outline</source>
+        <translation>&amp;Umriss suchen</translation>
+    </message>
+    <message>
+        <source>Find the outline</source>
+        <translation>Den Umriss suchen</translation>
+    </message>
+    <message>
+        <source>Look for the outline in this picture</source>
+        <translation>In diesem Bild nach dem Umriss suchen</translation>
+    </message>
+    <message>
+        <source>Whole p&amp;icture</source>
+        <translation>&amp;Ganzes Bild</translation>
+    </message>
+    <message>
+        <source>Outline the whole picture</source>
+        <translation>Das ganze Bild als Umriss nehmen</translation>
+    </message>
+    <message>
+        <source>Set the corners to those of the picture</source>
+        <translation>Die Ecken auf die des Bildes setzen</translation>
+    </message>
+    <message>
+        <source>&amp;Add this view</source>
+        <translation>Ansicht &amp;hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add this view</source>
+        <translation>Ansicht hinzufügen</translation>
+    </message>
+    <message>
+        <source>Learn the landmark from this picture</source>
+        <translation>Die Landmarke aus diesem Bild lernen</translation>
+    </message>
+    <message>
+        <source>Re&amp;move view</source>
+        <translation>Ansicht &amp;entfernen</translation>
+    </message>
+    <message>
+        <source>Remove the chosen view</source>
+        <translation>Die gewählte Ansicht entfernen</translation>
+    </message>
+    <message>
+        <source>Forget the chosen view</source>
+        <translation>Die gewählte Ansicht vergessen</translation>
+    </message>
+    <message>
+        <source>Coach</source>
+        <translation>Rat</translation>
+    </message>
+    <message>
+        <source>Views so far</source>
+        <translation>Ansichten bisher</translation>
+    </message>
+    <message>
+        <source>How well it will be found</source>
+        <translation>Wie gut es gefunden wird</translation>
+    </message>
+    <message>
+        <source>The photographs it is learnt from</source>
+        <translation>Die Fotos, aus denen gelernt wird</translation>
+    </message>
+    <message>
+        <source>Picture with outline</source>
+        <translation>Bild mit Umriss</translation>
+    </message>
+    <message>
+        <source>Drag the four corners onto the landmark. By keys: 1 to 4 choose a corner, the arrows move it, with Shift by one pixel.</source>
+        <translation>Ziehen Sie die vier Ecken auf die Landmarke. Mit Tasten: 1 bis 4 wählen eine Ecke, die Pfeile bewegen sie, mit Umschalt um ein Pixel.</translation>
+    </message>
+    <message>
+        <source>No picture yet.
+Switch on the camera, or choose pictures or a recording.</source>
+        <translation>Noch kein Bild.
+Schalten Sie die Kamera ein, oder wählen Sie Bilder oder eine Aufnahme.</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::TeachWhat</name>
+    <message>
+        <source>What is it that Farol shall know again? A sign, a poster, a door with something on it: flat things with detail are known best. Choose “known place” for the whole view of a spot.</source>
+        <translation>Was soll Farol wiedererkennen? Ein Schild, ein Plakat, eine Tür mit etwas darauf: Flaches mit vielen Einzelheiten wird am besten erkannt. Wählen Sie „bekannter Ort“ für die ganze Ansicht einer Stelle.</translation>
+    </message>
+    <message>
+        <source>&amp;Name:</source>
+        <translation>&amp;Name:</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>What people call it</source>
+        <translation>Wie die Leute es nennen</translation>
+    </message>
+    <message>
+        <source>&amp;Kind:</source>
+        <translation>A&amp;rt:</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>What it is</source>
+        <translation>Was es ist</translation>
+    </message>
+    <message>
+        <source>Real &amp;width:</source>
+        <translation>Wirkliche &amp;Breite:</translation>
+    </message>
+    <message>
+        <source>Real width</source>
+        <translation>Wirkliche Breite</translation>
+    </message>
+    <message>
+        <source>Lets Farol tell how far away it is</source>
+        <translation>Daraus weiß Farol, wie weit es weg ist</translation>
+    </message>
+    <message>
+        <source>Real &amp;height:</source>
+        <translation>Wirkliche &amp;Höhe:</translation>
+    </message>
+    <message>
+        <source>Real height</source>
+        <translation>Wirkliche Höhe</translation>
+    </message>
+    <message>
+        <source>In &amp;maps called:</source>
+        <translation>In Kar&amp;ten genannt:</translation>
+    </message>
+    <message>
+        <source>In maps called</source>
+        <translation>In Karten genannt</translation>
+    </message>
+    <message>
+        <source>Landmarks of the map refer to it by this word, so it should not change</source>
+        <translation>Landmarken der Karte nennen es mit diesem Wort; es sollte sich nicht ändern</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>nicht bekannt</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::TrainingActions</name>
+    <message>
+        <source>&amp;Landmarks</source>
+        <translation>&amp;Landmarken</translation>
+    </message>
+    <message>
+        <source>Landmarks</source>
+        <translation>Landmarken</translation>
+    </message>
+    <message>
+        <source>&amp;Open library…</source>
+        <translation>Bibliothek ö&amp;ffnen…</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Open a landmark library</source>
+        <translation>Eine Landmarkenbibliothek öffnen</translation>
+    </message>
+    <message>
+        <source>&amp;New library…</source>
+        <translation>&amp;Neue Bibliothek…</translation>
+    </message>
+    <message>
+        <source>New</source>
+        <translation>Neu</translation>
+    </message>
+    <message>
+        <source>Make an empty landmark library</source>
+        <translation>Eine leere Landmarkenbibliothek anlegen</translation>
+    </message>
+    <message>
+        <source>Save &amp;as…</source>
+        <translation>Speichern &amp;unter…</translation>
+    </message>
+    <message>
+        <source>Save as</source>
+        <translation>Speichern unter</translation>
+    </message>
+    <message>
+        <source>Write the library into another file; every change is saved by itself</source>
+        <translation>Die Bibliothek in eine andere Datei schreiben; jede Änderung wird von selbst gespeichert</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Take back the last change</source>
+        <translation>Die letzte Änderung zurücknehmen</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Make the change again that was taken back</source>
+        <translation>Die zurückgenommene Änderung wieder vornehmen</translation>
+    </message>
+    <message>
+        <source>&amp;Teach a landmark</source>
+        <translation>Landmarke &amp;beibringen</translation>
+    </message>
+    <message>
+        <source>Teach</source>
+        <translation>Beibringen</translation>
+    </message>
+    <message>
+        <source>Teach Farol a new landmark, step by step</source>
+        <translation>Farol eine neue Landmarke Schritt für Schritt beibringen</translation>
+    </message>
+    <message>
+        <source>Add &amp;views</source>
+        <translation>&amp;Ansichten hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add views</source>
+        <translation>Ansichten hinzufügen</translation>
+    </message>
+    <message>
+        <source>Teach more views of the chosen landmark</source>
+        <translation>Weitere Ansichten der gewählten Landmarke beibringen</translation>
+    </message>
+    <message>
+        <source>&amp;Change…</source>
+        <translation>Än&amp;dern…</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Ändern</translation>
+    </message>
+    <message>
+        <source>Change the name, kind or size of the chosen landmark</source>
+        <translation>Name, Art oder Größe der gewählten Landmarke ändern</translation>
+    </message>
+    <message>
+        <source>&amp;Merge with…</source>
+        <translation>&amp;Zusammenlegen mit…</translation>
+    </message>
+    <message>
+        <source>Merge</source>
+        <translation>Zusammenlegen</translation>
+    </message>
+    <message>
+        <source>Make the chosen landmark and another one the same</source>
+        <translation>Die gewählte Landmarke und eine andere zu einer machen</translation>
+    </message>
+    <message>
+        <source>&amp;Split…</source>
+        <translation>Ab&amp;trennen…</translation>
+    </message>
+    <message>
+        <source>Split</source>
+        <translation>Abtrennen</translation>
+    </message>
+    <message>
+        <source>Make the chosen views a landmark of their own</source>
+        <translation>Aus den gewählten Ansichten eine eigene Landmarke machen</translation>
+    </message>
+    <message>
+        <source>Delete the chosen vie&amp;ws</source>
+        <translation>Gewählte An&amp;sichten löschen</translation>
+    </message>
+    <message>
+        <source>Delete views</source>
+        <translation>Ansichten löschen</translation>
+    </message>
+    <message>
+        <source>Forget the chosen views of the landmark</source>
+        <translation>Die gewählten Ansichten der Landmarke vergessen</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>L&amp;öschen</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Forget the chosen landmark</source>
+        <translation>Die gewählte Landmarke vergessen</translation>
+    </message>
+    <message>
+        <source>&amp;Put on the map…</source>
+        <translation>Auf die &amp;Karte setzen…</translation>
+    </message>
+    <message>
+        <source>On the map</source>
+        <translation>Auf die Karte</translation>
+    </message>
+    <message>
+        <source>Put the chosen landmark on the map</source>
+        <translation>Die gewählte Landmarke auf die Karte setzen</translation>
+    </message>
+    <message>
+        <source>C&amp;heck all</source>
+        <translation>Alle &amp;prüfen</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>Prüfen</translation>
+    </message>
+    <message>
+        <source>Look how well each landmark is found and which are taken for each other</source>
+        <translation>Nachsehen, wie gut jede Landmarke gefunden wird und welche verwechselt werden</translation>
+    </message>
+    <message>
+        <source>Wal&amp;k with this library</source>
+        <translation>Mit dieser Bibliothek be&amp;gehen</translation>
+    </message>
+    <message>
+        <source>Walk</source>
+        <translation>Begehung</translation>
+    </message>
+    <message>
+        <source>Use this library on the Walk page</source>
+        <translation>Diese Bibliothek auf der Seite Begehung verwenden</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::TrainingPage</name>
+    <message>
+        <source>Open another &amp;library…</source>
+        <translation>Andere &amp;Bibliothek öffnen…</translation>
+    </message>
+    <message>
+        <source>Not saved: %1</source>
+        <translation>Nicht gespeichert: %1</translation>
+    </message>
+    <message>
+        <source>Save el&amp;sewhere…</source>
+        <translation>Anderswo &amp;speichern…</translation>
+    </message>
+    <message>
+        <source>Not saved: another program has changed %1 meanwhile.</source>
+        <translation>Nicht gespeichert: Ein anderes Programm hat %1 inzwischen geändert.</translation>
+    </message>
+    <message>
+        <source>Open a landmark library</source>
+        <translation>Landmarkenbibliothek öffnen</translation>
+    </message>
+    <message>
+        <source>Landmark libraries (%1);;All files (%2)</source>
+        <translation>Landmarkenbibliotheken (%1);;Alle Dateien (%2)</translation>
+    </message>
+    <message>
+        <source>New landmark library</source>
+        <translation>Neue Landmarkenbibliothek</translation>
+    </message>
+    <message>
+        <source>Landmark libraries (%1)</source>
+        <translation>Landmarkenbibliotheken (%1)</translation>
+    </message>
+    <message>
+        <source>Save the library as</source>
+        <translation>Bibliothek speichern unter</translation>
+    </message>
+    <message numerus="yes">
+        <source>“%1” is unfinished, with %n view(s).</source>
+        <translation>
+            <numerusform>„%1“ ist unfertig, mit einer Ansicht.</numerusform>
+            <numerusform>„%1“ ist unfertig, mit %n Ansichten.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>A new landmark</source>
+        <translation>Eine neue Landmarke</translation>
+    </message>
+    <message>
+        <source>Go &amp;on with it</source>
+        <translation>Damit &amp;weitermachen</translation>
+    </message>
+    <message>
+        <source>Teach “%1”</source>
+        <translation>„%1“ beibringen</translation>
+    </message>
+    <message>
+        <source>Save the report</source>
+        <translation>Bericht speichern</translation>
+    </message>
+    <message>
+        <source>Table (%1)</source>
+        <translation>Tabelle (%1)</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written. Choose another folder.</source>
+        <translation>%1 kann nicht geschrieben werden. Wählen Sie einen anderen Ordner.</translation>
+    </message>
+    <message>
+        <source>Working…</source>
+        <translation>Arbeitet…</translation>
+    </message>
+    <message>
+        <source>%1 · being saved</source>
+        <translation>%1 · wird gespeichert</translation>
+    </message>
+    <message>
+        <source>%1 · saved</source>
+        <translation>%1 · gespeichert</translation>
+    </message>
+    <message>
+        <source>Change “%1”</source>
+        <translation>„%1“ ändern</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Merge landmarks</source>
+        <translation>Landmarken zusammenlegen</translation>
+    </message>
+    <message>
+        <source>The views of this landmark go to “%1”, and it is deleted:</source>
+        <translation>Die Ansichten dieser Landmarke gehen an „%1“, und sie wird gelöscht:</translation>
+    </message>
+    <message>
+        <source>Split the landmark</source>
+        <translation>Landmarke abtrennen</translation>
+    </message>
+    <message numerus="yes">
+        <source>Name of the landmark that the %n chosen view(s) become:</source>
+        <translation>
+            <numerusform>Name der Landmarke, zu der die gewählte Ansicht wird:</numerusform>
+            <numerusform>Name der Landmarke, zu der die %n gewählten Ansichten werden:</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Delete views</source>
+        <translation>Ansichten löschen</translation>
+    </message>
+    <message>
+        <source>Delete “%1”</source>
+        <translation>„%1“ löschen</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::TrainingWords</name>
+    <message>
+        <source>Too dark. Switch on a light.</source>
+        <translation>Zu dunkel. Schalten Sie ein Licht ein.</translation>
+    </message>
+    <message>
+        <source>Too bright. Turn away from the window or the lamp.</source>
+        <translation>Zu hell. Wenden Sie sich vom Fenster oder von der Lampe ab.</translation>
+    </message>
+    <message>
+        <source>Blurred. Hold the camera still, or wait until it is sharp.</source>
+        <translation>Unscharf. Halten Sie die Kamera ruhig, oder warten Sie, bis es scharf ist.</translation>
+    </message>
+    <message>
+        <source>Too small in the picture. Go nearer.</source>
+        <translation>Zu klein im Bild. Gehen Sie näher heran.</translation>
+    </message>
+    <message>
+        <source>Too little detail inside the outline. Go nearer, or choose something with more detail.</source>
+        <translation>Zu wenig Einzelheiten im Umriss. Gehen Sie näher heran, oder wählen Sie etwas mit mehr Einzelheiten.</translation>
+    </message>
+    <message>
+        <source>The corners cross. Set them clockwise from the top left.</source>
+        <translation>Die Ecken überkreuzen sich. Setzen Sie sie im Uhrzeigersinn von oben links.</translation>
+    </message>
+    <message>
+        <source>Next: straight from the front, about 2 metres away.</source>
+        <translation>Als Nächstes: gerade von vorn, aus etwa 2 Metern.</translation>
+    </message>
+    <message>
+        <source>Next: from the left, so that you see it aslant.</source>
+        <translation>Als Nächstes: von links, sodass Sie es schräg sehen.</translation>
+    </message>
+    <message>
+        <source>Next: from the right, so that you see it aslant.</source>
+        <translation>Als Nächstes: von rechts, sodass Sie es schräg sehen.</translation>
+    </message>
+    <message>
+        <source>Next: from farther away, about twice as far.</source>
+        <translation>Als Nächstes: von weiter weg, etwa doppelt so weit.</translation>
+    </message>
+    <message>
+        <source>Next: the same view from a step aside, or a step nearer.</source>
+        <translation>Als Nächstes: dieselbe Ansicht einen Schritt daneben oder einen Schritt näher.</translation>
+    </message>
+    <message>
+        <source>These views are enough. More do no harm.</source>
+        <translation>Diese Ansichten genügen. Mehr schadet nicht.</translation>
+    </message>
+    <message>
+        <source>There is one view only: nothing to look for it with. Add another.</source>
+        <translation>Es gibt nur eine Ansicht: nichts, womit sie zu suchen wäre. Fügen Sie eine weitere hinzu.</translation>
+    </message>
+    <message>
+        <source>Found in %1 of its %2 views by the others.</source>
+        <translation>In %1 seiner %2 Ansichten durch die anderen gefunden.</translation>
+    </message>
+    <message>
+        <source>Found from up to about %1 m (%2 pixels).</source>
+        <translation>Bis etwa %1 m gefunden (%2 Pixel).</translation>
+    </message>
+    <message>
+        <source>Found down to a size of %1 pixels in the picture; give its real size to learn how far that is.</source>
+        <translation>Bis zu einer Größe von %1 Pixeln im Bild gefunden; geben Sie die wirkliche Größe an, um zu erfahren, wie weit das ist.</translation>
+    </message>
+    <message>
+        <source>Found up to %1 degrees aside.</source>
+        <translation>Bis %1 Grad von der Seite gefunden.</translation>
+    </message>
+    <message>
+        <source>Not found from aside. Add views from the left and the right.</source>
+        <translation>Von der Seite nicht gefunden. Fügen Sie Ansichten von links und rechts hinzu.</translation>
+    </message>
+    <message>
+        <source>Never found when shown smaller or turned. Choose something with more detail.</source>
+        <translation>Kleiner oder gedreht nie gefunden. Wählen Sie etwas mit mehr Einzelheiten.</translation>
+    </message>
+    <message>
+        <source>Taken for another: %1.</source>
+        <translation>Für etwas anderes gehalten: %1.</translation>
+    </message>
+    <message>
+        <source>Others are taken for it: %1.</source>
+        <translation>Andere werden dafür gehalten: %1.</translation>
+    </message>
+    <message>
+        <source>Confused with none of the others.</source>
+        <translation>Mit keinem der anderen verwechselt.</translation>
+    </message>
+    <message>
+        <source>confused with %1</source>
+        <translation>verwechselt mit %1</translation>
+    </message>
+    <message>
+        <source>hard to find</source>
+        <translation>schwer zu finden</translation>
+    </message>
+    <message>
+        <source>found from near only</source>
+        <translation>nur aus der Nähe gefunden</translation>
+    </message>
+    <message>
+        <source>%1 of %2 views found again</source>
+        <translation>%1 von %2 Ansichten wiedergefunden</translation>
+    </message>
+    <message>
+        <source>one view only</source>
+        <translation>nur eine Ansicht</translation>
+    </message>
+    <message>
+        <source>good</source>
+        <translation>gut</translation>
+    </message>
+</context>
+<context>
     <name>farol::ui::UtteranceModel</name>
     <message>
         <source>Caused by picture %1</source>
@@ -5181,6 +6484,14 @@ Open one with Ctrl+O.</source>
     <message>
         <source>How fast pictures from files are played</source>
         <translation>Wie schnell Bilder aus Dateien abgespielt werden</translation>
+    </message>
+    <message>
+        <source>Landmark&amp;s page</source>
+        <translation>Seite &amp;Landmarken</translation>
+    </message>
+    <message>
+        <source>Teach Farol landmarks, check them and change them</source>
+        <translation>Farol Landmarken beibringen, sie prüfen und ändern</translation>
     </message>
 </context>
 <context>

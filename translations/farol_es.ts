@@ -158,6 +158,32 @@
     </message>
 </context>
 <context>
+    <name>farol::ui::ConfusionModel</name>
+    <message>
+        <source>%1/%2</source>
+        <translation>%1/%2</translation>
+    </message>
+    <message>
+        <source>–</source>
+        <translation>–</translation>
+    </message>
+    <message>
+        <source>%1: found in %2 of %3 views</source>
+        <translation>%1: encontrado en %2 de %3 vistas</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 taken for %2: %n time(s)</source>
+        <translation>
+            <numerusform>%1 tomado por %2: una vez</numerusform>
+            <numerusform>%1 tomado por %2: %n veces</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1  %2</source>
+        <translation>%1  %2</translation>
+    </message>
+</context>
+<context>
     <name>farol::ui::DemoBar</name>
     <message>
         <source>Visitor %1 arrived at %2 after %3. The next one comes in a moment.</source>
@@ -253,6 +279,57 @@
     <message>
         <source>Match</source>
         <translation>Coincidencia</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::EditTemplateDialog</name>
+    <message>
+        <source>Change “%1”</source>
+        <translation>Cambiar “%1”</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>desconocido</translation>
+    </message>
+    <message>
+        <source>%1:</source>
+        <translation>%1:</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <source>What people call it</source>
+        <translation>Cómo lo llama la gente</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Tipo</translation>
+    </message>
+    <message>
+        <source>What it is</source>
+        <translation>Qué es</translation>
+    </message>
+    <message>
+        <source>Real width</source>
+        <translation>Ancho real</translation>
+    </message>
+    <message>
+        <source>Lets Farol tell how far away it is</source>
+        <translation>Permite a Farol decir a qué distancia está</translation>
+    </message>
+    <message>
+        <source>Real height</source>
+        <translation>Alto real</translation>
+    </message>
+    <message>
+        <source>In maps called</source>
+        <translation>Nombre en los mapas</translation>
+    </message>
+    <message>
+        <source>Landmarks of the map refer to it by this word: when it changes, change them too</source>
+        <translation>Los puntos de referencia del mapa lo citan con esta palabra: si cambia, cámbielos también</translation>
     </message>
 </context>
 <context>
@@ -1503,6 +1580,196 @@ Abra una cámara, un vídeo o una carpeta de imágenes y pulse Reproducir.</tran
     </message>
 </context>
 <context>
+    <name>farol::ui::LibraryDocument</name>
+    <message>
+        <source>The library was changed meanwhile; try again.</source>
+        <translation>La biblioteca cambió entretanto; inténtelo de nuevo.</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::LibraryModel</name>
+    <message>
+        <source>not known</source>
+        <translation>desconocido</translation>
+    </message>
+    <message>
+        <source>?</source>
+        <translation>?</translation>
+    </message>
+    <message>
+        <source>%1 × %2 m</source>
+        <translation>%1 × %2 m</translation>
+    </message>
+    <message>
+        <source>not checked</source>
+        <translation>no comprobado</translation>
+    </message>
+    <message>
+        <source>In maps called “%1”</source>
+        <translation>En los mapas se llama “%1”</translation>
+    </message>
+    <message>
+        <source>Landmark</source>
+        <translation>Punto de referencia</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Tipo</translation>
+    </message>
+    <message>
+        <source>Real size</source>
+        <translation>Tamaño real</translation>
+    </message>
+    <message>
+        <source>Views</source>
+        <translation>Vistas</translation>
+    </message>
+    <message>
+        <source>How well it is found</source>
+        <translation>Qué tal se encuentra</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::LibraryPanel</name>
+    <message>
+        <source>Nothing is chosen</source>
+        <translation>No hay nada elegido</translation>
+    </message>
+    <message>
+        <source>Not checked yet. “Check all” looks how well each landmark is found.</source>
+        <translation>Aún no comprobado. “Comprobar todo” mira qué tal se encuentra cada punto de referencia.</translation>
+    </message>
+    <message>
+        <source>View %1</source>
+        <translation>Vista %1</translation>
+    </message>
+    <message>
+        <source>Each view is held back once and looked for with the others; then each landmark is shown smaller and turned.</source>
+        <translation>Cada vista se aparta una vez y se busca con las demás; después cada punto de referencia se muestra más pequeño y girado.</translation>
+    </message>
+    <message>
+        <source>Not checked yet. “Check all” looks how well each landmark is found, and which are taken for each other.</source>
+        <translation>Aún no comprobado. “Comprobar todo” mira qué tal se encuentra cada punto de referencia y cuáles se confunden entre sí.</translation>
+    </message>
+    <message>
+        <source>All landmarks are found well.</source>
+        <translation>Todos los puntos de referencia se encuentran bien.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n landmark(s) need care.</source>
+        <translation>
+            <numerusform>Un punto de referencia necesita atención.</numerusform>
+            <numerusform>%n puntos de referencia necesitan atención.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>None is taken for another.</source>
+        <translation>Ninguno se toma por otro.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pair(s) are taken for each other.</source>
+        <translation>
+            <numerusform>Un par se confunde entre sí.</numerusform>
+            <numerusform>%n pares se confunden entre sí.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Rows: whose picture was shown. Columns: what was seen in it. On the diagonal: views found again.</source>
+        <translation>Filas: de quién era la imagen mostrada. Columnas: qué se vio en ella. En la diagonal: vistas encontradas de nuevo.</translation>
+    </message>
+    <message>
+        <source>The library was changed since: check again.</source>
+        <translation>La biblioteca cambió desde entonces: compruébela de nuevo.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n landmark(s)</source>
+        <translation>
+            <numerusform>un punto de referencia</numerusform>
+            <numerusform>%n puntos de referencia</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Landmarks</source>
+        <translation>Puntos de referencia</translation>
+    </message>
+    <message>
+        <source>This library is empty. “Teach” begins with the first landmark.</source>
+        <translation>Esta biblioteca está vacía. “Enseñar” empieza con el primer punto de referencia.</translation>
+    </message>
+    <message>
+        <source>Open a landmark library, or make a new one, to teach Farol what it shall know again.</source>
+        <translation>Abra una biblioteca de puntos de referencia, o cree una nueva, para enseñar a Farol lo que debe reconocer.</translation>
+    </message>
+    <message>
+        <source>Landmarks of the library</source>
+        <translation>Puntos de referencia de la biblioteca</translation>
+    </message>
+    <message>
+        <source>The landmarks that Farol was taught; press Enter to add views to one</source>
+        <translation>Los puntos de referencia que se enseñaron a Farol; pulse Intro para añadir vistas a uno</translation>
+    </message>
+    <message>
+        <source>Views of the landmark</source>
+        <translation>Vistas del punto de referencia</translation>
+    </message>
+    <message>
+        <source>The photographs it is learnt from; choose some of them to split or to delete them</source>
+        <translation>Las fotografías de las que se aprende; elija algunas para separarlas o eliminarlas</translation>
+    </message>
+    <message>
+        <source>&amp;Views:</source>
+        <translation>&amp;Vistas:</translation>
+    </message>
+    <message>
+        <source>Landmark</source>
+        <translation>Punto de referencia</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Informe</translation>
+    </message>
+    <message>
+        <source>Details</source>
+        <translation>Detalles</translation>
+    </message>
+    <message>
+        <source>C&amp;heck all</source>
+        <translation>C&amp;omprobar todo</translation>
+    </message>
+    <message>
+        <source>Check all landmarks</source>
+        <translation>Comprobar todos los puntos de referencia</translation>
+    </message>
+    <message>
+        <source>Look how well each landmark is found and which are taken for each other</source>
+        <translation>Mirar qué tal se encuentra cada punto de referencia y cuáles se confunden entre sí</translation>
+    </message>
+    <message>
+        <source>Save as CS&amp;V…</source>
+        <translation>Guardar como &amp;CSV…</translation>
+    </message>
+    <message>
+        <source>Save the report as CSV</source>
+        <translation>Guardar el informe como CSV</translation>
+    </message>
+    <message>
+        <source>Save the report for a spreadsheet</source>
+        <translation>Guardar el informe para una hoja de cálculo</translation>
+    </message>
+    <message>
+        <source>Progress of the check</source>
+        <translation>Avance de la comprobación</translation>
+    </message>
+    <message>
+        <source>Who is taken for whom</source>
+        <translation>Quién se toma por quién</translation>
+    </message>
+    <message>
+        <source>Rows: whose picture was shown. Columns: what was seen in it.</source>
+        <translation>Filas: de quién era la imagen mostrada. Columnas: qué se vio en ella.</translation>
+    </message>
+</context>
+<context>
     <name>farol::ui::LivePage</name>
     <message>
         <source>What was said</source>
@@ -1687,10 +1954,6 @@ Guía a una persona ciega por un edificio con una cámara corriente: reconoce lo
         <translation>Páginas</translation>
     </message>
     <message>
-        <source>Watch a walk, or work on a map (Ctrl+1, Ctrl+2)</source>
-        <translation>Observar un recorrido o trabajar en un mapa (Ctrl+1, Ctrl+2)</translation>
-    </message>
-    <message>
         <source>State of the walk</source>
         <translation>Estado del recorrido</translation>
     </message>
@@ -1701,6 +1964,38 @@ Guía a una persona ciega por un edificio con una cámara corriente: reconoce lo
     <message>
         <source>&amp;Next visitor now</source>
         <translation>&amp;Siguiente visitante ahora</translation>
+    </message>
+    <message>
+        <source>Landmarks</source>
+        <translation>Puntos de referencia</translation>
+    </message>
+    <message>
+        <source>Watch a walk, work on a map, or teach landmarks (Ctrl+1 to Ctrl+3)</source>
+        <translation>Observar un recorrido, trabajar en un mapa o enseñar puntos de referencia (Ctrl+1 a Ctrl+3)</translation>
+    </message>
+    <message>
+        <source>The landmark library was changed on the Landmarks page.</source>
+        <translation>La biblioteca de puntos de referencia cambió en la página Puntos de referencia.</translation>
+    </message>
+    <message>
+        <source>Start &amp;again with it</source>
+        <translation>&amp;Empezar de nuevo con ella</translation>
+    </message>
+    <message>
+        <source>Changes are not saved</source>
+        <translation>Los cambios no están guardados</translation>
+    </message>
+    <message>
+        <source>The landmark library could not be written; its last changes would be lost.</source>
+        <translation>La biblioteca de puntos de referencia no se pudo escribir; sus últimos cambios se perderían.</translation>
+    </message>
+    <message>
+        <source>&amp;Leave all the same</source>
+        <translation>&amp;Salir de todos modos</translation>
+    </message>
+    <message>
+        <source>&amp;Stay</source>
+        <translation>&amp;Quedarse</translation>
     </message>
 </context>
 <context>
@@ -2060,6 +2355,14 @@ Guía a una persona ciega por un edificio con una cámara corriente: reconoce lo
         <source>%1 cannot be written. Choose another folder.</source>
         <translation>No se puede escribir %1. Elija otra carpeta.</translation>
     </message>
+    <message>
+        <source>Open the map on which the landmark shall stand.</source>
+        <translation>Abra el mapa en el que debe estar el punto de referencia.</translation>
+    </message>
+    <message>
+        <source>&amp;Open map…</source>
+        <translation>&amp;Abrir mapa…</translation>
+    </message>
 </context>
 <context>
     <name>farol::ui::MapPanel</name>
@@ -2162,6 +2465,37 @@ Guía a una persona ciega por un edificio con una cámara corriente: reconoce lo
 Open one with Ctrl+O.</source>
         <translation>No hay ningún mapa abierto.
 Abra uno con Ctrl+O.</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::OutlineView</name>
+    <message>
+        <source>No picture yet</source>
+        <translation>Aún no hay imagen</translation>
+    </message>
+    <message>
+        <source>The whole picture counts</source>
+        <translation>Cuenta toda la imagen</translation>
+    </message>
+    <message>
+        <source>top left</source>
+        <translation>arriba a la izquierda</translation>
+    </message>
+    <message>
+        <source>top right</source>
+        <translation>arriba a la derecha</translation>
+    </message>
+    <message>
+        <source>bottom right</source>
+        <translation>abajo a la derecha</translation>
+    </message>
+    <message>
+        <source>bottom left</source>
+        <translation>abajo a la izquierda</translation>
+    </message>
+    <message>
+        <source>Corner %1, %2, is %3 to the right and %4 down</source>
+        <translation>La esquina %1, %2, está %3 a la derecha y %4 hacia abajo</translation>
     </message>
 </context>
 <context>
@@ -3341,6 +3675,13 @@ Abra uno con Ctrl+O.</translation>
     <message>
         <source>to the north</source>
         <translation>al norte</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::PictureReel</name>
+    <message>
+        <source>There are no pictures in %1.</source>
+        <translation>No hay imágenes en %1.</translation>
     </message>
 </context>
 <context>
@@ -4675,6 +5016,968 @@ Abra uno con Ctrl+O.</translation>
     </message>
 </context>
 <context>
+    <name>farol::ui::TeachPanel</name>
+    <message>
+        <source>Give up?</source>
+        <translation>¿Renunciar?</translation>
+    </message>
+    <message>
+        <source>What you have taught of this landmark will be lost.</source>
+        <translation>Lo que ha enseñado de este punto de referencia se perderá.</translation>
+    </message>
+    <message>
+        <source>&amp;Give it up</source>
+        <translation>&amp;Renunciar</translation>
+    </message>
+    <message>
+        <source>&amp;Keep it</source>
+        <translation>&amp;Conservarlo</translation>
+    </message>
+    <message>
+        <source>Add a view first.</source>
+        <translation>Añada primero una vista.</translation>
+    </message>
+    <message>
+        <source>Learning…</source>
+        <translation>Aprendiendo…</translation>
+    </message>
+    <message>
+        <source>A new landmark</source>
+        <translation>Un nuevo punto de referencia</translation>
+    </message>
+    <message>
+        <source>What it is</source>
+        <translation>Qué es</translation>
+    </message>
+    <message>
+        <source>Views</source>
+        <translation>Vistas</translation>
+    </message>
+    <message>
+        <source>Trial</source>
+        <translation>Prueba</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Mapa</translation>
+    </message>
+    <message>
+        <source>%1. %2</source>
+        <translation>%1. %2</translation>
+    </message>
+    <message>
+        <source>Step %1 of %2: %3</source>
+        <translation>Paso %1 de %2: %3</translation>
+    </message>
+    <message>
+        <source>&amp;Done</source>
+        <translation>&amp;Hecho</translation>
+    </message>
+    <message>
+        <source>&amp;Save it</source>
+        <translation>&amp;Guardarlo</translation>
+    </message>
+    <message>
+        <source>&amp;Go on</source>
+        <translation>&amp;Continuar</translation>
+    </message>
+    <message>
+        <source>Go back to the library</source>
+        <translation>Volver a la biblioteca</translation>
+    </message>
+    <message>
+        <source>Put it into the library</source>
+        <translation>Ponerlo en la biblioteca</translation>
+    </message>
+    <message>
+        <source>The next step</source>
+        <translation>El paso siguiente</translation>
+    </message>
+    <message>
+        <source>“%1” is in the library. Where does it hang? Put it on the map, so that Farol knows where you are when it is seen. The same landmark can hang in several places.</source>
+        <translation>“%1” está en la biblioteca. ¿Dónde está colgado? Póngalo en el mapa, para que Farol sepa dónde está usted cuando lo vea. El mismo punto de referencia puede estar en varios lugares.</translation>
+    </message>
+    <message>
+        <source>&amp;Back</source>
+        <translation>&amp;Atrás</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Atrás</translation>
+    </message>
+    <message>
+        <source>The step before</source>
+        <translation>El paso anterior</translation>
+    </message>
+    <message>
+        <source>Put as&amp;ide</source>
+        <translation>&amp;Dejar aparte</translation>
+    </message>
+    <message>
+        <source>Put aside</source>
+        <translation>Dejar aparte</translation>
+    </message>
+    <message>
+        <source>Go back to the library and go on with this landmark later</source>
+        <translation>Volver a la biblioteca y seguir después con este punto de referencia</translation>
+    </message>
+    <message>
+        <source>Give &amp;up</source>
+        <translation>&amp;Renunciar</translation>
+    </message>
+    <message>
+        <source>Give up</source>
+        <translation>Renunciar</translation>
+    </message>
+    <message>
+        <source>Forget this landmark</source>
+        <translation>Olvidar este punto de referencia</translation>
+    </message>
+    <message>
+        <source>Put it on the &amp;map…</source>
+        <translation>Ponerlo en el &amp;mapa…</translation>
+    </message>
+    <message>
+        <source>Put it on the map</source>
+        <translation>Ponerlo en el mapa</translation>
+    </message>
+    <message>
+        <source>Choose its place on the Map page</source>
+        <translation>Elegir su lugar en la página Mapa</translation>
+    </message>
+    <message>
+        <source>Teach an&amp;other</source>
+        <translation>Enseñar &amp;otro</translation>
+    </message>
+    <message>
+        <source>Teach another</source>
+        <translation>Enseñar otro</translation>
+    </message>
+    <message>
+        <source>Teach the next landmark</source>
+        <translation>Enseñar el siguiente punto de referencia</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::TeachSession</name>
+    <message>
+        <source>Give it a name first.</source>
+        <translation>Dele primero un nombre.</translation>
+    </message>
+    <message>
+        <source>Say what maps shall call it: letters and digits.</source>
+        <translation>Diga cómo lo llamarán los mapas: letras y cifras.</translation>
+    </message>
+    <message>
+        <source>“%1” is in the library already. Choose another name, or add views to that one.</source>
+        <translation>“%1” ya está en la biblioteca. Elija otro nombre, o añada vistas a ese.</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::TeachTry</name>
+    <message>
+        <source>Folder of a recorded walk, or of pictures</source>
+        <translation>Carpeta de un recorrido grabado, o de imágenes</translation>
+    </message>
+    <message>
+        <source>Found, %1 % sure.</source>
+        <translation>Encontrado, %1 % seguro.</translation>
+    </message>
+    <message>
+        <source>About %1 m away.</source>
+        <translation>A unos %1 m.</translation>
+    </message>
+    <message>
+        <source>Not found.</source>
+        <translation>No encontrado.</translation>
+    </message>
+    <message>
+        <source>Not found: %1.</source>
+        <translation>No encontrado: %1.</translation>
+    </message>
+    <message>
+        <source>Also seen: %1.</source>
+        <translation>También visto: %1.</translation>
+    </message>
+    <message>
+        <source>Found in %1 of %2 pictures looked at.</source>
+        <translation>Encontrado en %1 de %2 imágenes miradas.</translation>
+    </message>
+    <message>
+        <source>Looking…</source>
+        <translation>Buscando…</translation>
+    </message>
+    <message>
+        <source>No picture yet.</source>
+        <translation>Aún no hay imagen.</translation>
+    </message>
+    <message>
+        <source>Looking how well it is found…</source>
+        <translation>Mirando qué tal se encuentra…</translation>
+    </message>
+    <message>
+        <source>Walk towards it, past it and away from it, or step through other pictures, and see whether Farol finds it. Go back to add views where it is lost.</source>
+        <translation>Acérquese, pase por delante y aléjese, o recorra otras imágenes, y vea si Farol lo encuentra. Vuelva atrás para añadir vistas donde se pierde.</translation>
+    </message>
+    <message>
+        <source>&amp;Camera</source>
+        <translation>&amp;Cámara</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Cámara</translation>
+    </message>
+    <message>
+        <source>Look for it with the camera of this computer</source>
+        <translation>Buscarlo con la cámara de este ordenador</translation>
+    </message>
+    <message>
+        <source>&amp;Recording…</source>
+        <translation>&amp;Grabación…</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Grabación</translation>
+    </message>
+    <message>
+        <source>Look for it in a recorded walk, or in any folder of pictures</source>
+        <translation>Buscarlo en un recorrido grabado o en cualquier carpeta de imágenes</translation>
+    </message>
+    <message>
+        <source>Pre&amp;vious picture</source>
+        <translation>Imagen an&amp;terior</translation>
+    </message>
+    <message>
+        <source>Previous picture</source>
+        <translation>Imagen anterior</translation>
+    </message>
+    <message>
+        <source>The picture before</source>
+        <translation>La imagen de antes</translation>
+    </message>
+    <message>
+        <source>Ne&amp;xt picture</source>
+        <translation>Imagen &amp;siguiente</translation>
+    </message>
+    <message>
+        <source>Next picture</source>
+        <translation>Imagen siguiente</translation>
+    </message>
+    <message>
+        <source>The picture after</source>
+        <translation>La imagen de después</translation>
+    </message>
+    <message>
+        <source>Picture with what was recognised</source>
+        <translation>Imagen con lo reconocido</translation>
+    </message>
+    <message>
+        <source>What was recognised in this picture, and what nearly was</source>
+        <translation>Lo que se reconoció en esta imagen, y lo que casi</translation>
+    </message>
+    <message>
+        <source>How well it will be found</source>
+        <translation>Qué tal se encontrará</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::TeachViews</name>
+    <message>
+        <source>No outline was found. Set the four corners yourself.</source>
+        <translation>No se encontró ningún contorno. Ponga usted las cuatro esquinas.</translation>
+    </message>
+    <message>
+        <source>Photographs</source>
+        <translation>Fotografías</translation>
+    </message>
+    <message>
+        <source>Pictures (%1);;All files (%2)</source>
+        <translation>Imágenes (%1);;Todos los archivos (%2)</translation>
+    </message>
+    <message>
+        <source>Folder of a recorded walk, or of pictures</source>
+        <translation>Carpeta de un recorrido grabado, o de imágenes</translation>
+    </message>
+    <message>
+        <source>Learning this view…</source>
+        <translation>Aprendiendo esta vista…</translation>
+    </message>
+    <message numerus="yes">
+        <source>This picture is good: %n point(s).</source>
+        <translation>
+            <numerusform>Esta imagen es buena: un punto.</numerusform>
+            <numerusform>Esta imagen es buena: %n puntos.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Coach: %1</source>
+        <translation>Consejo: %1</translation>
+    </message>
+    <message>
+        <source>View %1</source>
+        <translation>Vista %1</translation>
+    </message>
+    <message>
+        <source>%1 (%2 of %3)</source>
+        <translation>%1 (%2 de %3)</translation>
+    </message>
+    <message>
+        <source>Looking how well it is found…</source>
+        <translation>Mirando qué tal se encuentra…</translation>
+    </message>
+    <message>
+        <source>Nothing yet: add a view.</source>
+        <translation>Aún nada: añada una vista.</translation>
+    </message>
+    <message numerus="yes">
+        <source>With the %n view(s) it had before.</source>
+        <translation>
+            <numerusform>Con la vista que ya tenía.</numerusform>
+            <numerusform>Con las %n vistas que ya tenía.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>&amp;Camera</source>
+        <translation>&amp;Cámara</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Cámara</translation>
+    </message>
+    <message>
+        <source>Take photographs with the camera of this computer</source>
+        <translation>Hacer fotografías con la cámara de este ordenador</translation>
+    </message>
+    <message>
+        <source>&amp;Pictures…</source>
+        <translation>&amp;Imágenes…</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>Imágenes</translation>
+    </message>
+    <message>
+        <source>Choose photographs from files</source>
+        <translation>Elegir fotografías de archivos</translation>
+    </message>
+    <message>
+        <source>&amp;Recording…</source>
+        <translation>&amp;Grabación…</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Grabación</translation>
+    </message>
+    <message>
+        <source>Choose the folder of a recorded walk, or any folder of pictures</source>
+        <translation>Elegir la carpeta de un recorrido grabado, o cualquier carpeta de imágenes</translation>
+    </message>
+    <message>
+        <source>&amp;Hold</source>
+        <translation>&amp;Retener</translation>
+    </message>
+    <message>
+        <source>Hold the picture</source>
+        <translation>Retener la imagen</translation>
+    </message>
+    <message>
+        <source>Keep the picture that the camera shows now</source>
+        <translation>Conservar la imagen que muestra ahora la cámara</translation>
+    </message>
+    <message>
+        <source>Pre&amp;vious picture</source>
+        <translation>Imagen an&amp;terior</translation>
+    </message>
+    <message>
+        <source>Previous picture</source>
+        <translation>Imagen anterior</translation>
+    </message>
+    <message>
+        <source>The picture before</source>
+        <translation>La imagen de antes</translation>
+    </message>
+    <message>
+        <source>Ne&amp;xt picture</source>
+        <translation>Imagen &amp;siguiente</translation>
+    </message>
+    <message>
+        <source>Next picture</source>
+        <translation>Imagen siguiente</translation>
+    </message>
+    <message>
+        <source>The picture after</source>
+        <translation>La imagen de después</translation>
+    </message>
+    <message>
+        <source>&amp;Find outline</source>
+        <translation>&amp;Buscar contorno</translation>
+    </message>
+    <message>
+        <source>Find the outline</source>
+        <translation>Buscar el contorno</translation>
+    </message>
+    <message>
+        <source>Look for the outline in this picture</source>
+        <translation>Buscar el contorno en esta imagen</translation>
+    </message>
+    <message>
+        <source>Whole p&amp;icture</source>
+        <translation>T&amp;oda la imagen</translation>
+    </message>
+    <message>
+        <source>Outline the whole picture</source>
+        <translation>Tomar como contorno toda la imagen</translation>
+    </message>
+    <message>
+        <source>Set the corners to those of the picture</source>
+        <translation>Poner las esquinas en las de la imagen</translation>
+    </message>
+    <message>
+        <source>&amp;Add this view</source>
+        <translation>Aña&amp;dir esta vista</translation>
+    </message>
+    <message>
+        <source>Add this view</source>
+        <translation>Añadir esta vista</translation>
+    </message>
+    <message>
+        <source>Learn the landmark from this picture</source>
+        <translation>Aprender el punto de referencia de esta imagen</translation>
+    </message>
+    <message>
+        <source>Re&amp;move view</source>
+        <translation>Quitar &amp;vista</translation>
+    </message>
+    <message>
+        <source>Remove the chosen view</source>
+        <translation>Quitar la vista elegida</translation>
+    </message>
+    <message>
+        <source>Forget the chosen view</source>
+        <translation>Olvidar la vista elegida</translation>
+    </message>
+    <message>
+        <source>Coach</source>
+        <translation>Consejo</translation>
+    </message>
+    <message>
+        <source>Views so far</source>
+        <translation>Vistas hasta ahora</translation>
+    </message>
+    <message>
+        <source>How well it will be found</source>
+        <translation>Qué tal se encontrará</translation>
+    </message>
+    <message>
+        <source>The photographs it is learnt from</source>
+        <translation>Las fotografías de las que se aprende</translation>
+    </message>
+    <message>
+        <source>Picture with outline</source>
+        <translation>Imagen con contorno</translation>
+    </message>
+    <message>
+        <source>Drag the four corners onto the landmark. By keys: 1 to 4 choose a corner, the arrows move it, with Shift by one pixel.</source>
+        <translation>Arrastre las cuatro esquinas al punto de referencia. Con teclas: 1 a 4 eligen una esquina, las flechas la mueven, con Mayús un píxel.</translation>
+    </message>
+    <message>
+        <source>No picture yet.
+Switch on the camera, or choose pictures or a recording.</source>
+        <translation>Aún no hay imagen.
+Encienda la cámara, o elija imágenes o una grabación.</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::TeachWhat</name>
+    <message>
+        <source>What is it that Farol shall know again? A sign, a poster, a door with something on it: flat things with detail are known best. Choose “known place” for the whole view of a spot.</source>
+        <translation>¿Qué debe reconocer Farol? Un letrero, un cartel, una puerta con algo encima: lo plano y con detalle se reconoce mejor. Elija “lugar conocido” para la vista entera de un sitio.</translation>
+    </message>
+    <message>
+        <source>&amp;Name:</source>
+        <translation>&amp;Nombre:</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <source>What people call it</source>
+        <translation>Cómo lo llama la gente</translation>
+    </message>
+    <message>
+        <source>&amp;Kind:</source>
+        <translation>&amp;Tipo:</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Tipo</translation>
+    </message>
+    <message>
+        <source>What it is</source>
+        <translation>Qué es</translation>
+    </message>
+    <message>
+        <source>Real &amp;width:</source>
+        <translation>&amp;Ancho real:</translation>
+    </message>
+    <message>
+        <source>Real width</source>
+        <translation>Ancho real</translation>
+    </message>
+    <message>
+        <source>Lets Farol tell how far away it is</source>
+        <translation>Permite a Farol decir a qué distancia está</translation>
+    </message>
+    <message>
+        <source>Real &amp;height:</source>
+        <translation>A&amp;lto real:</translation>
+    </message>
+    <message>
+        <source>Real height</source>
+        <translation>Alto real</translation>
+    </message>
+    <message>
+        <source>In &amp;maps called:</source>
+        <translation>Nombre en los &amp;mapas:</translation>
+    </message>
+    <message>
+        <source>In maps called</source>
+        <translation>Nombre en los mapas</translation>
+    </message>
+    <message>
+        <source>Landmarks of the map refer to it by this word, so it should not change</source>
+        <translation>Los puntos de referencia del mapa lo citan con esta palabra; no debería cambiar</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>desconocido</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::TrainingActions</name>
+    <message>
+        <source>&amp;Landmarks</source>
+        <translation>&amp;Puntos de referencia</translation>
+    </message>
+    <message>
+        <source>Landmarks</source>
+        <translation>Puntos de referencia</translation>
+    </message>
+    <message>
+        <source>&amp;Open library…</source>
+        <translation>A&amp;brir biblioteca…</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Abrir</translation>
+    </message>
+    <message>
+        <source>Open a landmark library</source>
+        <translation>Abrir una biblioteca de puntos de referencia</translation>
+    </message>
+    <message>
+        <source>&amp;New library…</source>
+        <translation>Biblioteca &amp;nueva…</translation>
+    </message>
+    <message>
+        <source>New</source>
+        <translation>Nueva</translation>
+    </message>
+    <message>
+        <source>Make an empty landmark library</source>
+        <translation>Crear una biblioteca de puntos de referencia vacía</translation>
+    </message>
+    <message>
+        <source>Save &amp;as…</source>
+        <translation>Guardar c&amp;omo…</translation>
+    </message>
+    <message>
+        <source>Save as</source>
+        <translation>Guardar como</translation>
+    </message>
+    <message>
+        <source>Write the library into another file; every change is saved by itself</source>
+        <translation>Escribir la biblioteca en otro archivo; cada cambio se guarda solo</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Deshacer</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Deshacer</translation>
+    </message>
+    <message>
+        <source>Take back the last change</source>
+        <translation>Retirar el último cambio</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Rehacer</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Rehacer</translation>
+    </message>
+    <message>
+        <source>Make the change again that was taken back</source>
+        <translation>Volver a hacer el cambio retirado</translation>
+    </message>
+    <message>
+        <source>&amp;Teach a landmark</source>
+        <translation>&amp;Enseñar un punto de referencia</translation>
+    </message>
+    <message>
+        <source>Teach</source>
+        <translation>Enseñar</translation>
+    </message>
+    <message>
+        <source>Teach Farol a new landmark, step by step</source>
+        <translation>Enseñar a Farol un nuevo punto de referencia, paso a paso</translation>
+    </message>
+    <message>
+        <source>Add &amp;views</source>
+        <translation>Añadir &amp;vistas</translation>
+    </message>
+    <message>
+        <source>Add views</source>
+        <translation>Añadir vistas</translation>
+    </message>
+    <message>
+        <source>Teach more views of the chosen landmark</source>
+        <translation>Enseñar más vistas del punto de referencia elegido</translation>
+    </message>
+    <message>
+        <source>&amp;Change…</source>
+        <translation>&amp;Cambiar…</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Cambiar</translation>
+    </message>
+    <message>
+        <source>Change the name, kind or size of the chosen landmark</source>
+        <translation>Cambiar nombre, tipo o tamaño del punto de referencia elegido</translation>
+    </message>
+    <message>
+        <source>&amp;Merge with…</source>
+        <translation>&amp;Unir con…</translation>
+    </message>
+    <message>
+        <source>Merge</source>
+        <translation>Unir</translation>
+    </message>
+    <message>
+        <source>Make the chosen landmark and another one the same</source>
+        <translation>Hacer uno solo del punto de referencia elegido y otro</translation>
+    </message>
+    <message>
+        <source>&amp;Split…</source>
+        <translation>&amp;Separar…</translation>
+    </message>
+    <message>
+        <source>Split</source>
+        <translation>Separar</translation>
+    </message>
+    <message>
+        <source>Make the chosen views a landmark of their own</source>
+        <translation>Hacer de las vistas elegidas un punto de referencia propio</translation>
+    </message>
+    <message>
+        <source>Delete the chosen vie&amp;ws</source>
+        <translation>E&amp;liminar las vistas elegidas</translation>
+    </message>
+    <message>
+        <source>Delete views</source>
+        <translation>Eliminar vistas</translation>
+    </message>
+    <message>
+        <source>Forget the chosen views of the landmark</source>
+        <translation>Olvidar las vistas elegidas del punto de referencia</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>El&amp;iminar</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Eliminar</translation>
+    </message>
+    <message>
+        <source>Forget the chosen landmark</source>
+        <translation>Olvidar el punto de referencia elegido</translation>
+    </message>
+    <message>
+        <source>&amp;Put on the map…</source>
+        <translation>Poner en el &amp;mapa…</translation>
+    </message>
+    <message>
+        <source>On the map</source>
+        <translation>En el mapa</translation>
+    </message>
+    <message>
+        <source>Put the chosen landmark on the map</source>
+        <translation>Poner el punto de referencia elegido en el mapa</translation>
+    </message>
+    <message>
+        <source>C&amp;heck all</source>
+        <translation>Comprob&amp;ar todo</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>Comprobar</translation>
+    </message>
+    <message>
+        <source>Look how well each landmark is found and which are taken for each other</source>
+        <translation>Mirar qué tal se encuentra cada punto de referencia y cuáles se confunden entre sí</translation>
+    </message>
+    <message>
+        <source>Wal&amp;k with this library</source>
+        <translation>Recorrer con es&amp;ta biblioteca</translation>
+    </message>
+    <message>
+        <source>Walk</source>
+        <translation>Recorrido</translation>
+    </message>
+    <message>
+        <source>Use this library on the Walk page</source>
+        <translation>Usar esta biblioteca en la página Recorrido</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::TrainingPage</name>
+    <message>
+        <source>Open another &amp;library…</source>
+        <translation>Abrir otra &amp;biblioteca…</translation>
+    </message>
+    <message>
+        <source>Not saved: %1</source>
+        <translation>No guardado: %1</translation>
+    </message>
+    <message>
+        <source>Save el&amp;sewhere…</source>
+        <translation>&amp;Guardar en otro sitio…</translation>
+    </message>
+    <message>
+        <source>Not saved: another program has changed %1 meanwhile.</source>
+        <translation>No guardado: otro programa cambió %1 entretanto.</translation>
+    </message>
+    <message>
+        <source>Open a landmark library</source>
+        <translation>Abrir una biblioteca de puntos de referencia</translation>
+    </message>
+    <message>
+        <source>Landmark libraries (%1);;All files (%2)</source>
+        <translation>Bibliotecas de puntos de referencia (%1);;Todos los archivos (%2)</translation>
+    </message>
+    <message>
+        <source>New landmark library</source>
+        <translation>Nueva biblioteca de puntos de referencia</translation>
+    </message>
+    <message>
+        <source>Landmark libraries (%1)</source>
+        <translation>Bibliotecas de puntos de referencia (%1)</translation>
+    </message>
+    <message>
+        <source>Save the library as</source>
+        <translation>Guardar la biblioteca como</translation>
+    </message>
+    <message numerus="yes">
+        <source>“%1” is unfinished, with %n view(s).</source>
+        <translation>
+            <numerusform>“%1” está sin terminar, con una vista.</numerusform>
+            <numerusform>“%1” está sin terminar, con %n vistas.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>A new landmark</source>
+        <translation>Un nuevo punto de referencia</translation>
+    </message>
+    <message>
+        <source>Go &amp;on with it</source>
+        <translation>&amp;Seguir con él</translation>
+    </message>
+    <message>
+        <source>Teach “%1”</source>
+        <translation>Enseñar “%1”</translation>
+    </message>
+    <message>
+        <source>Save the report</source>
+        <translation>Guardar el informe</translation>
+    </message>
+    <message>
+        <source>Table (%1)</source>
+        <translation>Tabla (%1)</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written. Choose another folder.</source>
+        <translation>No se puede escribir %1. Elija otra carpeta.</translation>
+    </message>
+    <message>
+        <source>Working…</source>
+        <translation>Trabajando…</translation>
+    </message>
+    <message>
+        <source>%1 · being saved</source>
+        <translation>%1 · se está guardando</translation>
+    </message>
+    <message>
+        <source>%1 · saved</source>
+        <translation>%1 · guardado</translation>
+    </message>
+    <message>
+        <source>Change “%1”</source>
+        <translation>Cambiar “%1”</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Merge landmarks</source>
+        <translation>Unir puntos de referencia</translation>
+    </message>
+    <message>
+        <source>The views of this landmark go to “%1”, and it is deleted:</source>
+        <translation>Las vistas de este punto de referencia pasan a “%1”, y este se elimina:</translation>
+    </message>
+    <message>
+        <source>Split the landmark</source>
+        <translation>Separar el punto de referencia</translation>
+    </message>
+    <message numerus="yes">
+        <source>Name of the landmark that the %n chosen view(s) become:</source>
+        <translation>
+            <numerusform>Nombre del punto de referencia en que se convierte la vista elegida:</numerusform>
+            <numerusform>Nombre del punto de referencia en que se convierten las %n vistas elegidas:</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Delete views</source>
+        <translation>Eliminar vistas</translation>
+    </message>
+    <message>
+        <source>Delete “%1”</source>
+        <translation>Eliminar “%1”</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::TrainingWords</name>
+    <message>
+        <source>Too dark. Switch on a light.</source>
+        <translation>Demasiado oscuro. Encienda una luz.</translation>
+    </message>
+    <message>
+        <source>Too bright. Turn away from the window or the lamp.</source>
+        <translation>Demasiada luz. Apártese de la ventana o de la lámpara.</translation>
+    </message>
+    <message>
+        <source>Blurred. Hold the camera still, or wait until it is sharp.</source>
+        <translation>Borroso. Mantenga quieta la cámara o espere a que se vea nítido.</translation>
+    </message>
+    <message>
+        <source>Too small in the picture. Go nearer.</source>
+        <translation>Demasiado pequeño en la imagen. Acérquese.</translation>
+    </message>
+    <message>
+        <source>Too little detail inside the outline. Go nearer, or choose something with more detail.</source>
+        <translation>Muy poco detalle dentro del contorno. Acérquese, o elija algo con más detalle.</translation>
+    </message>
+    <message>
+        <source>The corners cross. Set them clockwise from the top left.</source>
+        <translation>Las esquinas se cruzan. Póngalas en el sentido del reloj desde arriba a la izquierda.</translation>
+    </message>
+    <message>
+        <source>Next: straight from the front, about 2 metres away.</source>
+        <translation>Siguiente: de frente, a unos 2 metros.</translation>
+    </message>
+    <message>
+        <source>Next: from the left, so that you see it aslant.</source>
+        <translation>Siguiente: desde la izquierda, de modo que se vea de lado.</translation>
+    </message>
+    <message>
+        <source>Next: from the right, so that you see it aslant.</source>
+        <translation>Siguiente: desde la derecha, de modo que se vea de lado.</translation>
+    </message>
+    <message>
+        <source>Next: from farther away, about twice as far.</source>
+        <translation>Siguiente: desde más lejos, cerca del doble.</translation>
+    </message>
+    <message>
+        <source>Next: the same view from a step aside, or a step nearer.</source>
+        <translation>Siguiente: la misma vista desde un paso al lado, o un paso más cerca.</translation>
+    </message>
+    <message>
+        <source>These views are enough. More do no harm.</source>
+        <translation>Estas vistas bastan. Más no hacen daño.</translation>
+    </message>
+    <message>
+        <source>There is one view only: nothing to look for it with. Add another.</source>
+        <translation>Solo hay una vista: no hay nada con que buscarla. Añada otra.</translation>
+    </message>
+    <message>
+        <source>Found in %1 of its %2 views by the others.</source>
+        <translation>Encontrado en %1 de sus %2 vistas por las demás.</translation>
+    </message>
+    <message>
+        <source>Found from up to about %1 m (%2 pixels).</source>
+        <translation>Encontrado hasta unos %1 m (%2 píxeles).</translation>
+    </message>
+    <message>
+        <source>Found down to a size of %1 pixels in the picture; give its real size to learn how far that is.</source>
+        <translation>Encontrado hasta un tamaño de %1 píxeles en la imagen; indique su tamaño real para saber a qué distancia es eso.</translation>
+    </message>
+    <message>
+        <source>Found up to %1 degrees aside.</source>
+        <translation>Encontrado hasta %1 grados de lado.</translation>
+    </message>
+    <message>
+        <source>Not found from aside. Add views from the left and the right.</source>
+        <translation>No encontrado de lado. Añada vistas desde la izquierda y la derecha.</translation>
+    </message>
+    <message>
+        <source>Never found when shown smaller or turned. Choose something with more detail.</source>
+        <translation>Nunca encontrado más pequeño o girado. Elija algo con más detalle.</translation>
+    </message>
+    <message>
+        <source>Taken for another: %1.</source>
+        <translation>Se toma por otro: %1.</translation>
+    </message>
+    <message>
+        <source>Others are taken for it: %1.</source>
+        <translation>Otros se toman por él: %1.</translation>
+    </message>
+    <message>
+        <source>Confused with none of the others.</source>
+        <translation>No se confunde con ninguno de los otros.</translation>
+    </message>
+    <message>
+        <source>confused with %1</source>
+        <translation>se confunde con %1</translation>
+    </message>
+    <message>
+        <source>hard to find</source>
+        <translation>difícil de encontrar</translation>
+    </message>
+    <message>
+        <source>found from near only</source>
+        <translation>solo se encuentra de cerca</translation>
+    </message>
+    <message>
+        <source>%1 of %2 views found again</source>
+        <translation>%1 de %2 vistas encontradas de nuevo</translation>
+    </message>
+    <message>
+        <source>one view only</source>
+        <translation>una sola vista</translation>
+    </message>
+    <message>
+        <source>good</source>
+        <translation>bueno</translation>
+    </message>
+</context>
+<context>
     <name>farol::ui::UtteranceModel</name>
     <message>
         <source>Caused by picture %1</source>
@@ -5181,6 +6484,14 @@ Abra uno con Ctrl+O.</translation>
     <message>
         <source>How fast pictures from files are played</source>
         <translation>A qué velocidad se reproducen las imágenes de archivos</translation>
+    </message>
+    <message>
+        <source>Landmark&amp;s page</source>
+        <translation>Página P&amp;untos de referencia</translation>
+    </message>
+    <message>
+        <source>Teach Farol landmarks, check them and change them</source>
+        <translation>Enseñar a Farol puntos de referencia, comprobarlos y cambiarlos</translation>
     </message>
 </context>
 <context>

@@ -158,6 +158,32 @@
     </message>
 </context>
 <context>
+    <name>farol::ui::ConfusionModel</name>
+    <message>
+        <source>%1/%2</source>
+        <translation>%1/%2</translation>
+    </message>
+    <message>
+        <source>–</source>
+        <translation>–</translation>
+    </message>
+    <message>
+        <source>%1: found in %2 of %3 views</source>
+        <translation>%1 : retrouvé dans %2 vues sur %3</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 taken for %2: %n time(s)</source>
+        <translation>
+            <numerusform>%1 pris pour %2 : %n fois</numerusform>
+            <numerusform>%1 pris pour %2 : %n fois</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1  %2</source>
+        <translation>%1  %2</translation>
+    </message>
+</context>
+<context>
     <name>farol::ui::DemoBar</name>
     <message>
         <source>Visitor %1 arrived at %2 after %3. The next one comes in a moment.</source>
@@ -253,6 +279,57 @@
     <message>
         <source>Match</source>
         <translation>Concordance</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::EditTemplateDialog</name>
+    <message>
+        <source>Change “%1”</source>
+        <translation>Modifier « %1 »</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>inconnu</translation>
+    </message>
+    <message>
+        <source>%1:</source>
+        <translation>%1 :</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>What people call it</source>
+        <translation>Comment les gens l&apos;appellent</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Type</translation>
+    </message>
+    <message>
+        <source>What it is</source>
+        <translation>Ce que c&apos;est</translation>
+    </message>
+    <message>
+        <source>Real width</source>
+        <translation>Largeur réelle</translation>
+    </message>
+    <message>
+        <source>Lets Farol tell how far away it is</source>
+        <translation>Permet à Farol de dire à quelle distance il est</translation>
+    </message>
+    <message>
+        <source>Real height</source>
+        <translation>Hauteur réelle</translation>
+    </message>
+    <message>
+        <source>In maps called</source>
+        <translation>Appelé dans les cartes</translation>
+    </message>
+    <message>
+        <source>Landmarks of the map refer to it by this word: when it changes, change them too</source>
+        <translation>Les repères de la carte s&apos;y réfèrent par ce mot : s&apos;il change, changez-les aussi</translation>
     </message>
 </context>
 <context>
@@ -1503,6 +1580,196 @@ Ouvrez une caméra, une vidéo ou un dossier d&apos;images, puis appuyez sur Lec
     </message>
 </context>
 <context>
+    <name>farol::ui::LibraryDocument</name>
+    <message>
+        <source>The library was changed meanwhile; try again.</source>
+        <translation>La bibliothèque a changé entre-temps ; réessayez.</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::LibraryModel</name>
+    <message>
+        <source>not known</source>
+        <translation>inconnu</translation>
+    </message>
+    <message>
+        <source>?</source>
+        <translation>?</translation>
+    </message>
+    <message>
+        <source>%1 × %2 m</source>
+        <translation>%1 × %2 m</translation>
+    </message>
+    <message>
+        <source>not checked</source>
+        <translation>non vérifié</translation>
+    </message>
+    <message>
+        <source>In maps called “%1”</source>
+        <translation>Appelé « %1 » dans les cartes</translation>
+    </message>
+    <message>
+        <source>Landmark</source>
+        <translation>Repère</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Type</translation>
+    </message>
+    <message>
+        <source>Real size</source>
+        <translation>Taille réelle</translation>
+    </message>
+    <message>
+        <source>Views</source>
+        <translation>Vues</translation>
+    </message>
+    <message>
+        <source>How well it is found</source>
+        <translation>S&apos;il est bien trouvé</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::LibraryPanel</name>
+    <message>
+        <source>Nothing is chosen</source>
+        <translation>Rien n&apos;est choisi</translation>
+    </message>
+    <message>
+        <source>Not checked yet. “Check all” looks how well each landmark is found.</source>
+        <translation>Pas encore vérifié. « Tout vérifier » regarde si chaque repère est bien trouvé.</translation>
+    </message>
+    <message>
+        <source>View %1</source>
+        <translation>Vue %1</translation>
+    </message>
+    <message>
+        <source>Each view is held back once and looked for with the others; then each landmark is shown smaller and turned.</source>
+        <translation>Chaque vue est mise de côté une fois et cherchée avec les autres ; ensuite chaque repère est montré plus petit et tourné.</translation>
+    </message>
+    <message>
+        <source>Not checked yet. “Check all” looks how well each landmark is found, and which are taken for each other.</source>
+        <translation>Pas encore vérifié. « Tout vérifier » regarde si chaque repère est bien trouvé et lesquels sont confondus.</translation>
+    </message>
+    <message>
+        <source>All landmarks are found well.</source>
+        <translation>Tous les repères sont bien trouvés.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n landmark(s) need care.</source>
+        <translation>
+            <numerusform>%n repère demande de l&apos;attention.</numerusform>
+            <numerusform>%n repères demandent de l&apos;attention.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>None is taken for another.</source>
+        <translation>Aucun n&apos;est pris pour un autre.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pair(s) are taken for each other.</source>
+        <translation>
+            <numerusform>%n paire est confondue.</numerusform>
+            <numerusform>%n paires sont confondues.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Rows: whose picture was shown. Columns: what was seen in it. On the diagonal: views found again.</source>
+        <translation>Lignes : de qui venait l&apos;image montrée. Colonnes : ce qui y a été vu. Sur la diagonale : vues retrouvées.</translation>
+    </message>
+    <message>
+        <source>The library was changed since: check again.</source>
+        <translation>La bibliothèque a changé depuis : vérifiez-la de nouveau.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n landmark(s)</source>
+        <translation>
+            <numerusform>%n repère</numerusform>
+            <numerusform>%n repères</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Landmarks</source>
+        <translation>Repères</translation>
+    </message>
+    <message>
+        <source>This library is empty. “Teach” begins with the first landmark.</source>
+        <translation>Cette bibliothèque est vide. « Apprendre » commence par le premier repère.</translation>
+    </message>
+    <message>
+        <source>Open a landmark library, or make a new one, to teach Farol what it shall know again.</source>
+        <translation>Ouvrez une bibliothèque de repères, ou créez-en une, pour apprendre à Farol ce qu&apos;il doit reconnaître.</translation>
+    </message>
+    <message>
+        <source>Landmarks of the library</source>
+        <translation>Repères de la bibliothèque</translation>
+    </message>
+    <message>
+        <source>The landmarks that Farol was taught; press Enter to add views to one</source>
+        <translation>Les repères appris à Farol ; appuyez sur Entrée pour ajouter des vues à l&apos;un d&apos;eux</translation>
+    </message>
+    <message>
+        <source>Views of the landmark</source>
+        <translation>Vues du repère</translation>
+    </message>
+    <message>
+        <source>The photographs it is learnt from; choose some of them to split or to delete them</source>
+        <translation>Les photographies dont il est appris ; choisissez-en pour les séparer ou les supprimer</translation>
+    </message>
+    <message>
+        <source>&amp;Views:</source>
+        <translation>&amp;Vues :</translation>
+    </message>
+    <message>
+        <source>Landmark</source>
+        <translation>Repère</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Rapport</translation>
+    </message>
+    <message>
+        <source>Details</source>
+        <translation>Détails</translation>
+    </message>
+    <message>
+        <source>C&amp;heck all</source>
+        <translation>Tout vérif&amp;ier</translation>
+    </message>
+    <message>
+        <source>Check all landmarks</source>
+        <translation>Vérifier tous les repères</translation>
+    </message>
+    <message>
+        <source>Look how well each landmark is found and which are taken for each other</source>
+        <translation>Regarder si chaque repère est bien trouvé et lesquels sont confondus</translation>
+    </message>
+    <message>
+        <source>Save as CS&amp;V…</source>
+        <translation>Enregistrer en &amp;CSV…</translation>
+    </message>
+    <message>
+        <source>Save the report as CSV</source>
+        <translation>Enregistrer le rapport en CSV</translation>
+    </message>
+    <message>
+        <source>Save the report for a spreadsheet</source>
+        <translation>Enregistrer le rapport pour un tableur</translation>
+    </message>
+    <message>
+        <source>Progress of the check</source>
+        <translation>Avancement de la vérification</translation>
+    </message>
+    <message>
+        <source>Who is taken for whom</source>
+        <translation>Qui est pris pour qui</translation>
+    </message>
+    <message>
+        <source>Rows: whose picture was shown. Columns: what was seen in it.</source>
+        <translation>Lignes : de qui venait l&apos;image montrée. Colonnes : ce qui y a été vu.</translation>
+    </message>
+</context>
+<context>
     <name>farol::ui::LivePage</name>
     <message>
         <source>What was said</source>
@@ -1687,10 +1954,6 @@ Guide une personne aveugle dans un bâtiment avec une simple caméra : il recon
         <translation>Pages</translation>
     </message>
     <message>
-        <source>Watch a walk, or work on a map (Ctrl+1, Ctrl+2)</source>
-        <translation>Suivre un parcours ou travailler sur une carte (Ctrl+1, Ctrl+2)</translation>
-    </message>
-    <message>
         <source>State of the walk</source>
         <translation>État du parcours</translation>
     </message>
@@ -1701,6 +1964,38 @@ Guide une personne aveugle dans un bâtiment avec une simple caméra : il recon
     <message>
         <source>&amp;Next visitor now</source>
         <translation>Visiteur &amp;suivant maintenant</translation>
+    </message>
+    <message>
+        <source>Landmarks</source>
+        <translation>Repères</translation>
+    </message>
+    <message>
+        <source>Watch a walk, work on a map, or teach landmarks (Ctrl+1 to Ctrl+3)</source>
+        <translation>Suivre un parcours, travailler sur une carte ou apprendre des repères (Ctrl+1 à Ctrl+3)</translation>
+    </message>
+    <message>
+        <source>The landmark library was changed on the Landmarks page.</source>
+        <translation>La bibliothèque de repères a changé sur la page Repères.</translation>
+    </message>
+    <message>
+        <source>Start &amp;again with it</source>
+        <translation>&amp;Recommencer avec elle</translation>
+    </message>
+    <message>
+        <source>Changes are not saved</source>
+        <translation>Les modifications ne sont pas enregistrées</translation>
+    </message>
+    <message>
+        <source>The landmark library could not be written; its last changes would be lost.</source>
+        <translation>La bibliothèque de repères n&apos;a pas pu être écrite ; ses dernières modifications seraient perdues.</translation>
+    </message>
+    <message>
+        <source>&amp;Leave all the same</source>
+        <translation>&amp;Quitter quand même</translation>
+    </message>
+    <message>
+        <source>&amp;Stay</source>
+        <translation>&amp;Rester</translation>
     </message>
 </context>
 <context>
@@ -2060,6 +2355,14 @@ Guide une personne aveugle dans un bâtiment avec une simple caméra : il recon
         <source>%1 cannot be written. Choose another folder.</source>
         <translation>%1 ne peut pas être écrit. Choisissez un autre dossier.</translation>
     </message>
+    <message>
+        <source>Open the map on which the landmark shall stand.</source>
+        <translation>Ouvrez la carte sur laquelle le repère doit se trouver.</translation>
+    </message>
+    <message>
+        <source>&amp;Open map…</source>
+        <translation>&amp;Ouvrir une carte…</translation>
+    </message>
 </context>
 <context>
     <name>farol::ui::MapPanel</name>
@@ -2162,6 +2465,37 @@ Guide une personne aveugle dans un bâtiment avec une simple caméra : il recon
 Open one with Ctrl+O.</source>
         <translation>Aucune carte n&apos;est ouverte.
 Ouvrez-en une avec Ctrl+O.</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::OutlineView</name>
+    <message>
+        <source>No picture yet</source>
+        <translation>Pas encore d&apos;image</translation>
+    </message>
+    <message>
+        <source>The whole picture counts</source>
+        <translation>Toute l&apos;image compte</translation>
+    </message>
+    <message>
+        <source>top left</source>
+        <translation>en haut à gauche</translation>
+    </message>
+    <message>
+        <source>top right</source>
+        <translation>en haut à droite</translation>
+    </message>
+    <message>
+        <source>bottom right</source>
+        <translation>en bas à droite</translation>
+    </message>
+    <message>
+        <source>bottom left</source>
+        <translation>en bas à gauche</translation>
+    </message>
+    <message>
+        <source>Corner %1, %2, is %3 to the right and %4 down</source>
+        <translation>Le coin %1, %2, est à %3 vers la droite et %4 vers le bas</translation>
     </message>
 </context>
 <context>
@@ -3341,6 +3675,13 @@ Ouvrez-en une avec Ctrl+O.</translation>
     <message>
         <source>to the north</source>
         <translation>au nord</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::PictureReel</name>
+    <message>
+        <source>There are no pictures in %1.</source>
+        <translation>Il n&apos;y a pas d&apos;images dans %1.</translation>
     </message>
 </context>
 <context>
@@ -4675,6 +5016,968 @@ Ouvrez-en une avec Ctrl+O.</translation>
     </message>
 </context>
 <context>
+    <name>farol::ui::TeachPanel</name>
+    <message>
+        <source>Give up?</source>
+        <translation>Renoncer ?</translation>
+    </message>
+    <message>
+        <source>What you have taught of this landmark will be lost.</source>
+        <translation>Ce que vous avez appris de ce repère sera perdu.</translation>
+    </message>
+    <message>
+        <source>&amp;Give it up</source>
+        <translation>&amp;Renoncer</translation>
+    </message>
+    <message>
+        <source>&amp;Keep it</source>
+        <translation>Le &amp;garder</translation>
+    </message>
+    <message>
+        <source>Add a view first.</source>
+        <translation>Ajoutez d&apos;abord une vue.</translation>
+    </message>
+    <message>
+        <source>Learning…</source>
+        <translation>Apprentissage…</translation>
+    </message>
+    <message>
+        <source>A new landmark</source>
+        <translation>Un nouveau repère</translation>
+    </message>
+    <message>
+        <source>What it is</source>
+        <translation>Ce que c&apos;est</translation>
+    </message>
+    <message>
+        <source>Views</source>
+        <translation>Vues</translation>
+    </message>
+    <message>
+        <source>Trial</source>
+        <translation>Essai</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Carte</translation>
+    </message>
+    <message>
+        <source>%1. %2</source>
+        <translation>%1. %2</translation>
+    </message>
+    <message>
+        <source>Step %1 of %2: %3</source>
+        <translation>Étape %1 sur %2 : %3</translation>
+    </message>
+    <message>
+        <source>&amp;Done</source>
+        <translation>&amp;Terminé</translation>
+    </message>
+    <message>
+        <source>&amp;Save it</source>
+        <translation>L&apos;&amp;enregistrer</translation>
+    </message>
+    <message>
+        <source>&amp;Go on</source>
+        <translation>&amp;Continuer</translation>
+    </message>
+    <message>
+        <source>Go back to the library</source>
+        <translation>Revenir à la bibliothèque</translation>
+    </message>
+    <message>
+        <source>Put it into the library</source>
+        <translation>Le mettre dans la bibliothèque</translation>
+    </message>
+    <message>
+        <source>The next step</source>
+        <translation>L&apos;étape suivante</translation>
+    </message>
+    <message>
+        <source>“%1” is in the library. Where does it hang? Put it on the map, so that Farol knows where you are when it is seen. The same landmark can hang in several places.</source>
+        <translation>« %1 » est dans la bibliothèque. Où est-il accroché ? Mettez-le sur la carte, pour que Farol sache où vous êtes quand il le voit. Le même repère peut se trouver à plusieurs endroits.</translation>
+    </message>
+    <message>
+        <source>&amp;Back</source>
+        <translation>&amp;Retour</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Retour</translation>
+    </message>
+    <message>
+        <source>The step before</source>
+        <translation>L&apos;étape précédente</translation>
+    </message>
+    <message>
+        <source>Put as&amp;ide</source>
+        <translation>&amp;Mettre de côté</translation>
+    </message>
+    <message>
+        <source>Put aside</source>
+        <translation>Mettre de côté</translation>
+    </message>
+    <message>
+        <source>Go back to the library and go on with this landmark later</source>
+        <translation>Revenir à la bibliothèque et continuer plus tard avec ce repère</translation>
+    </message>
+    <message>
+        <source>Give &amp;up</source>
+        <translation>Reno&amp;ncer</translation>
+    </message>
+    <message>
+        <source>Give up</source>
+        <translation>Renoncer</translation>
+    </message>
+    <message>
+        <source>Forget this landmark</source>
+        <translation>Oublier ce repère</translation>
+    </message>
+    <message>
+        <source>Put it on the &amp;map…</source>
+        <translation>Le mettre sur la c&amp;arte…</translation>
+    </message>
+    <message>
+        <source>Put it on the map</source>
+        <translation>Le mettre sur la carte</translation>
+    </message>
+    <message>
+        <source>Choose its place on the Map page</source>
+        <translation>Choisir son emplacement sur la page Carte</translation>
+    </message>
+    <message>
+        <source>Teach an&amp;other</source>
+        <translation>En apprendre un a&amp;utre</translation>
+    </message>
+    <message>
+        <source>Teach another</source>
+        <translation>En apprendre un autre</translation>
+    </message>
+    <message>
+        <source>Teach the next landmark</source>
+        <translation>Apprendre le repère suivant</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::TeachSession</name>
+    <message>
+        <source>Give it a name first.</source>
+        <translation>Donnez-lui d&apos;abord un nom.</translation>
+    </message>
+    <message>
+        <source>Say what maps shall call it: letters and digits.</source>
+        <translation>Dites comment les cartes l&apos;appelleront : lettres et chiffres.</translation>
+    </message>
+    <message>
+        <source>“%1” is in the library already. Choose another name, or add views to that one.</source>
+        <translation>« %1 » est déjà dans la bibliothèque. Choisissez un autre nom, ou ajoutez des vues à celui-là.</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::TeachTry</name>
+    <message>
+        <source>Folder of a recorded walk, or of pictures</source>
+        <translation>Dossier d&apos;un parcours enregistré, ou d&apos;images</translation>
+    </message>
+    <message>
+        <source>Found, %1 % sure.</source>
+        <translation>Trouvé, sûr à %1 %.</translation>
+    </message>
+    <message>
+        <source>About %1 m away.</source>
+        <translation>À environ %1 m.</translation>
+    </message>
+    <message>
+        <source>Not found.</source>
+        <translation>Non trouvé.</translation>
+    </message>
+    <message>
+        <source>Not found: %1.</source>
+        <translation>Non trouvé : %1.</translation>
+    </message>
+    <message>
+        <source>Also seen: %1.</source>
+        <translation>Vu aussi : %1.</translation>
+    </message>
+    <message>
+        <source>Found in %1 of %2 pictures looked at.</source>
+        <translation>Trouvé dans %1 images sur %2 regardées.</translation>
+    </message>
+    <message>
+        <source>Looking…</source>
+        <translation>Recherche…</translation>
+    </message>
+    <message>
+        <source>No picture yet.</source>
+        <translation>Pas encore d&apos;image.</translation>
+    </message>
+    <message>
+        <source>Looking how well it is found…</source>
+        <translation>Vérification s&apos;il est bien trouvé…</translation>
+    </message>
+    <message>
+        <source>Walk towards it, past it and away from it, or step through other pictures, and see whether Farol finds it. Go back to add views where it is lost.</source>
+        <translation>Allez vers lui, passez devant et éloignez-vous, ou parcourez d&apos;autres images, et voyez si Farol le trouve. Revenez en arrière pour ajouter des vues là où il est perdu.</translation>
+    </message>
+    <message>
+        <source>&amp;Camera</source>
+        <translation>&amp;Caméra</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Caméra</translation>
+    </message>
+    <message>
+        <source>Look for it with the camera of this computer</source>
+        <translation>Le chercher avec la caméra de cet ordinateur</translation>
+    </message>
+    <message>
+        <source>&amp;Recording…</source>
+        <translation>&amp;Enregistrement…</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Enregistrement</translation>
+    </message>
+    <message>
+        <source>Look for it in a recorded walk, or in any folder of pictures</source>
+        <translation>Le chercher dans un parcours enregistré, ou dans tout dossier d&apos;images</translation>
+    </message>
+    <message>
+        <source>Pre&amp;vious picture</source>
+        <translation>Image &amp;précédente</translation>
+    </message>
+    <message>
+        <source>Previous picture</source>
+        <translation>Image précédente</translation>
+    </message>
+    <message>
+        <source>The picture before</source>
+        <translation>L&apos;image d&apos;avant</translation>
+    </message>
+    <message>
+        <source>Ne&amp;xt picture</source>
+        <translation>Image &amp;suivante</translation>
+    </message>
+    <message>
+        <source>Next picture</source>
+        <translation>Image suivante</translation>
+    </message>
+    <message>
+        <source>The picture after</source>
+        <translation>L&apos;image d&apos;après</translation>
+    </message>
+    <message>
+        <source>Picture with what was recognised</source>
+        <translation>Image avec ce qui est reconnu</translation>
+    </message>
+    <message>
+        <source>What was recognised in this picture, and what nearly was</source>
+        <translation>Ce qui a été reconnu dans cette image, et ce qui a failli l&apos;être</translation>
+    </message>
+    <message>
+        <source>How well it will be found</source>
+        <translation>S&apos;il sera bien trouvé</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::TeachViews</name>
+    <message>
+        <source>No outline was found. Set the four corners yourself.</source>
+        <translation>Aucun contour n&apos;a été trouvé. Placez vous-même les quatre coins.</translation>
+    </message>
+    <message>
+        <source>Photographs</source>
+        <translation>Photographies</translation>
+    </message>
+    <message>
+        <source>Pictures (%1);;All files (%2)</source>
+        <translation>Images (%1);;Tous les fichiers (%2)</translation>
+    </message>
+    <message>
+        <source>Folder of a recorded walk, or of pictures</source>
+        <translation>Dossier d&apos;un parcours enregistré, ou d&apos;images</translation>
+    </message>
+    <message>
+        <source>Learning this view…</source>
+        <translation>Apprentissage de cette vue…</translation>
+    </message>
+    <message numerus="yes">
+        <source>This picture is good: %n point(s).</source>
+        <translation>
+            <numerusform>Cette image est bonne : %n point.</numerusform>
+            <numerusform>Cette image est bonne : %n points.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Coach: %1</source>
+        <translation>Conseil : %1</translation>
+    </message>
+    <message>
+        <source>View %1</source>
+        <translation>Vue %1</translation>
+    </message>
+    <message>
+        <source>%1 (%2 of %3)</source>
+        <translation>%1 (%2 sur %3)</translation>
+    </message>
+    <message>
+        <source>Looking how well it is found…</source>
+        <translation>Vérification s&apos;il est bien trouvé…</translation>
+    </message>
+    <message>
+        <source>Nothing yet: add a view.</source>
+        <translation>Rien encore : ajoutez une vue.</translation>
+    </message>
+    <message numerus="yes">
+        <source>With the %n view(s) it had before.</source>
+        <translation>
+            <numerusform>Avec la %n vue qu&apos;il avait déjà.</numerusform>
+            <numerusform>Avec les %n vues qu&apos;il avait déjà.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>&amp;Camera</source>
+        <translation>&amp;Caméra</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Caméra</translation>
+    </message>
+    <message>
+        <source>Take photographs with the camera of this computer</source>
+        <translation>Prendre des photos avec la caméra de cet ordinateur</translation>
+    </message>
+    <message>
+        <source>&amp;Pictures…</source>
+        <translation>&amp;Images…</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>Images</translation>
+    </message>
+    <message>
+        <source>Choose photographs from files</source>
+        <translation>Choisir des photos dans des fichiers</translation>
+    </message>
+    <message>
+        <source>&amp;Recording…</source>
+        <translation>&amp;Enregistrement…</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Enregistrement</translation>
+    </message>
+    <message>
+        <source>Choose the folder of a recorded walk, or any folder of pictures</source>
+        <translation>Choisir le dossier d&apos;un parcours enregistré, ou tout dossier d&apos;images</translation>
+    </message>
+    <message>
+        <source>&amp;Hold</source>
+        <translation>&amp;Figer</translation>
+    </message>
+    <message>
+        <source>Hold the picture</source>
+        <translation>Figer l&apos;image</translation>
+    </message>
+    <message>
+        <source>Keep the picture that the camera shows now</source>
+        <translation>Garder l&apos;image que la caméra montre maintenant</translation>
+    </message>
+    <message>
+        <source>Pre&amp;vious picture</source>
+        <translation>Image &amp;précédente</translation>
+    </message>
+    <message>
+        <source>Previous picture</source>
+        <translation>Image précédente</translation>
+    </message>
+    <message>
+        <source>The picture before</source>
+        <translation>L&apos;image d&apos;avant</translation>
+    </message>
+    <message>
+        <source>Ne&amp;xt picture</source>
+        <translation>Image &amp;suivante</translation>
+    </message>
+    <message>
+        <source>Next picture</source>
+        <translation>Image suivante</translation>
+    </message>
+    <message>
+        <source>The picture after</source>
+        <translation>L&apos;image d&apos;après</translation>
+    </message>
+    <message>
+        <source>&amp;Find outline</source>
+        <translation>&amp;Trouver le contour</translation>
+    </message>
+    <message>
+        <source>Find the outline</source>
+        <translation>Trouver le contour</translation>
+    </message>
+    <message>
+        <source>Look for the outline in this picture</source>
+        <translation>Chercher le contour dans cette image</translation>
+    </message>
+    <message>
+        <source>Whole p&amp;icture</source>
+        <translation>T&amp;oute l&apos;image</translation>
+    </message>
+    <message>
+        <source>Outline the whole picture</source>
+        <translation>Prendre toute l&apos;image pour contour</translation>
+    </message>
+    <message>
+        <source>Set the corners to those of the picture</source>
+        <translation>Placer les coins sur ceux de l&apos;image</translation>
+    </message>
+    <message>
+        <source>&amp;Add this view</source>
+        <translation>&amp;Ajouter cette vue</translation>
+    </message>
+    <message>
+        <source>Add this view</source>
+        <translation>Ajouter cette vue</translation>
+    </message>
+    <message>
+        <source>Learn the landmark from this picture</source>
+        <translation>Apprendre le repère de cette image</translation>
+    </message>
+    <message>
+        <source>Re&amp;move view</source>
+        <translation>Retirer la &amp;vue</translation>
+    </message>
+    <message>
+        <source>Remove the chosen view</source>
+        <translation>Retirer la vue choisie</translation>
+    </message>
+    <message>
+        <source>Forget the chosen view</source>
+        <translation>Oublier la vue choisie</translation>
+    </message>
+    <message>
+        <source>Coach</source>
+        <translation>Conseil</translation>
+    </message>
+    <message>
+        <source>Views so far</source>
+        <translation>Vues jusqu&apos;ici</translation>
+    </message>
+    <message>
+        <source>How well it will be found</source>
+        <translation>S&apos;il sera bien trouvé</translation>
+    </message>
+    <message>
+        <source>The photographs it is learnt from</source>
+        <translation>Les photographies dont il est appris</translation>
+    </message>
+    <message>
+        <source>Picture with outline</source>
+        <translation>Image avec contour</translation>
+    </message>
+    <message>
+        <source>Drag the four corners onto the landmark. By keys: 1 to 4 choose a corner, the arrows move it, with Shift by one pixel.</source>
+        <translation>Glissez les quatre coins sur le repère. Au clavier : 1 à 4 choisissent un coin, les flèches le déplacent, avec Maj d&apos;un pixel.</translation>
+    </message>
+    <message>
+        <source>No picture yet.
+Switch on the camera, or choose pictures or a recording.</source>
+        <translation>Pas encore d&apos;image.
+Allumez la caméra, ou choisissez des images ou un enregistrement.</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::TeachWhat</name>
+    <message>
+        <source>What is it that Farol shall know again? A sign, a poster, a door with something on it: flat things with detail are known best. Choose “known place” for the whole view of a spot.</source>
+        <translation>Que doit reconnaître Farol ? Un panneau, une affiche, une porte qui porte quelque chose : ce qui est plat et détaillé se reconnaît le mieux. Choisissez « lieu connu » pour la vue entière d&apos;un endroit.</translation>
+    </message>
+    <message>
+        <source>&amp;Name:</source>
+        <translation>&amp;Nom :</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>What people call it</source>
+        <translation>Comment les gens l&apos;appellent</translation>
+    </message>
+    <message>
+        <source>&amp;Kind:</source>
+        <translation>&amp;Type :</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Type</translation>
+    </message>
+    <message>
+        <source>What it is</source>
+        <translation>Ce que c&apos;est</translation>
+    </message>
+    <message>
+        <source>Real &amp;width:</source>
+        <translation>&amp;Largeur réelle :</translation>
+    </message>
+    <message>
+        <source>Real width</source>
+        <translation>Largeur réelle</translation>
+    </message>
+    <message>
+        <source>Lets Farol tell how far away it is</source>
+        <translation>Permet à Farol de dire à quelle distance il est</translation>
+    </message>
+    <message>
+        <source>Real &amp;height:</source>
+        <translation>&amp;Hauteur réelle :</translation>
+    </message>
+    <message>
+        <source>Real height</source>
+        <translation>Hauteur réelle</translation>
+    </message>
+    <message>
+        <source>In &amp;maps called:</source>
+        <translation>Appelé dans les c&amp;artes :</translation>
+    </message>
+    <message>
+        <source>In maps called</source>
+        <translation>Appelé dans les cartes</translation>
+    </message>
+    <message>
+        <source>Landmarks of the map refer to it by this word, so it should not change</source>
+        <translation>Les repères de la carte s&apos;y réfèrent par ce mot ; il ne devrait pas changer</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>inconnu</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::TrainingActions</name>
+    <message>
+        <source>&amp;Landmarks</source>
+        <translation>&amp;Repères</translation>
+    </message>
+    <message>
+        <source>Landmarks</source>
+        <translation>Repères</translation>
+    </message>
+    <message>
+        <source>&amp;Open library…</source>
+        <translation>&amp;Ouvrir une bibliothèque…</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Ouvrir</translation>
+    </message>
+    <message>
+        <source>Open a landmark library</source>
+        <translation>Ouvrir une bibliothèque de repères</translation>
+    </message>
+    <message>
+        <source>&amp;New library…</source>
+        <translation>&amp;Nouvelle bibliothèque…</translation>
+    </message>
+    <message>
+        <source>New</source>
+        <translation>Nouvelle</translation>
+    </message>
+    <message>
+        <source>Make an empty landmark library</source>
+        <translation>Créer une bibliothèque de repères vide</translation>
+    </message>
+    <message>
+        <source>Save &amp;as…</source>
+        <translation>Enregistrer &amp;sous…</translation>
+    </message>
+    <message>
+        <source>Save as</source>
+        <translation>Enregistrer sous</translation>
+    </message>
+    <message>
+        <source>Write the library into another file; every change is saved by itself</source>
+        <translation>Écrire la bibliothèque dans un autre fichier ; chaque modification s&apos;enregistre d&apos;elle-même</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Annuler</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Take back the last change</source>
+        <translation>Revenir sur la dernière modification</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Rétablir</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Rétablir</translation>
+    </message>
+    <message>
+        <source>Make the change again that was taken back</source>
+        <translation>Refaire la modification annulée</translation>
+    </message>
+    <message>
+        <source>&amp;Teach a landmark</source>
+        <translation>A&amp;pprendre un repère</translation>
+    </message>
+    <message>
+        <source>Teach</source>
+        <translation>Apprendre</translation>
+    </message>
+    <message>
+        <source>Teach Farol a new landmark, step by step</source>
+        <translation>Apprendre à Farol un nouveau repère, étape par étape</translation>
+    </message>
+    <message>
+        <source>Add &amp;views</source>
+        <translation>Ajouter des &amp;vues</translation>
+    </message>
+    <message>
+        <source>Add views</source>
+        <translation>Ajouter des vues</translation>
+    </message>
+    <message>
+        <source>Teach more views of the chosen landmark</source>
+        <translation>Apprendre d&apos;autres vues du repère choisi</translation>
+    </message>
+    <message>
+        <source>&amp;Change…</source>
+        <translation>&amp;Modifier…</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Modifier</translation>
+    </message>
+    <message>
+        <source>Change the name, kind or size of the chosen landmark</source>
+        <translation>Modifier le nom, le type ou la taille du repère choisi</translation>
+    </message>
+    <message>
+        <source>&amp;Merge with…</source>
+        <translation>&amp;Fusionner avec…</translation>
+    </message>
+    <message>
+        <source>Merge</source>
+        <translation>Fusionner</translation>
+    </message>
+    <message>
+        <source>Make the chosen landmark and another one the same</source>
+        <translation>Ne faire qu&apos;un du repère choisi et d&apos;un autre</translation>
+    </message>
+    <message>
+        <source>&amp;Split…</source>
+        <translation>S&amp;éparer…</translation>
+    </message>
+    <message>
+        <source>Split</source>
+        <translation>Séparer</translation>
+    </message>
+    <message>
+        <source>Make the chosen views a landmark of their own</source>
+        <translation>Faire des vues choisies un repère à part</translation>
+    </message>
+    <message>
+        <source>Delete the chosen vie&amp;ws</source>
+        <translation>Supprimer les vues cho&amp;isies</translation>
+    </message>
+    <message>
+        <source>Delete views</source>
+        <translation>Supprimer des vues</translation>
+    </message>
+    <message>
+        <source>Forget the chosen views of the landmark</source>
+        <translation>Oublier les vues choisies du repère</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>S&amp;upprimer</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Supprimer</translation>
+    </message>
+    <message>
+        <source>Forget the chosen landmark</source>
+        <translation>Oublier le repère choisi</translation>
+    </message>
+    <message>
+        <source>&amp;Put on the map…</source>
+        <translation>Mettre sur la &amp;carte…</translation>
+    </message>
+    <message>
+        <source>On the map</source>
+        <translation>Sur la carte</translation>
+    </message>
+    <message>
+        <source>Put the chosen landmark on the map</source>
+        <translation>Mettre le repère choisi sur la carte</translation>
+    </message>
+    <message>
+        <source>C&amp;heck all</source>
+        <translation>&amp;Tout vérifier</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>Vérifier</translation>
+    </message>
+    <message>
+        <source>Look how well each landmark is found and which are taken for each other</source>
+        <translation>Regarder si chaque repère est bien trouvé et lesquels sont confondus</translation>
+    </message>
+    <message>
+        <source>Wal&amp;k with this library</source>
+        <translation>Parcourir avec cette bi&amp;bliothèque</translation>
+    </message>
+    <message>
+        <source>Walk</source>
+        <translation>Parcours</translation>
+    </message>
+    <message>
+        <source>Use this library on the Walk page</source>
+        <translation>Utiliser cette bibliothèque sur la page Parcours</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::TrainingPage</name>
+    <message>
+        <source>Open another &amp;library…</source>
+        <translation>Ouvrir une autre &amp;bibliothèque…</translation>
+    </message>
+    <message>
+        <source>Not saved: %1</source>
+        <translation>Non enregistré : %1</translation>
+    </message>
+    <message>
+        <source>Save el&amp;sewhere…</source>
+        <translation>Enregistrer &amp;ailleurs…</translation>
+    </message>
+    <message>
+        <source>Not saved: another program has changed %1 meanwhile.</source>
+        <translation>Non enregistré : un autre programme a modifié %1 entre-temps.</translation>
+    </message>
+    <message>
+        <source>Open a landmark library</source>
+        <translation>Ouvrir une bibliothèque de repères</translation>
+    </message>
+    <message>
+        <source>Landmark libraries (%1);;All files (%2)</source>
+        <translation>Bibliothèques de repères (%1);;Tous les fichiers (%2)</translation>
+    </message>
+    <message>
+        <source>New landmark library</source>
+        <translation>Nouvelle bibliothèque de repères</translation>
+    </message>
+    <message>
+        <source>Landmark libraries (%1)</source>
+        <translation>Bibliothèques de repères (%1)</translation>
+    </message>
+    <message>
+        <source>Save the library as</source>
+        <translation>Enregistrer la bibliothèque sous</translation>
+    </message>
+    <message numerus="yes">
+        <source>“%1” is unfinished, with %n view(s).</source>
+        <translation>
+            <numerusform>« %1 » est inachevé, avec %n vue.</numerusform>
+            <numerusform>« %1 » est inachevé, avec %n vues.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>A new landmark</source>
+        <translation>Un nouveau repère</translation>
+    </message>
+    <message>
+        <source>Go &amp;on with it</source>
+        <translation>&amp;Continuer avec lui</translation>
+    </message>
+    <message>
+        <source>Teach “%1”</source>
+        <translation>Apprendre « %1 »</translation>
+    </message>
+    <message>
+        <source>Save the report</source>
+        <translation>Enregistrer le rapport</translation>
+    </message>
+    <message>
+        <source>Table (%1)</source>
+        <translation>Tableau (%1)</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written. Choose another folder.</source>
+        <translation>%1 ne peut pas être écrit. Choisissez un autre dossier.</translation>
+    </message>
+    <message>
+        <source>Working…</source>
+        <translation>Travail en cours…</translation>
+    </message>
+    <message>
+        <source>%1 · being saved</source>
+        <translation>%1 · enregistrement en cours</translation>
+    </message>
+    <message>
+        <source>%1 · saved</source>
+        <translation>%1 · enregistré</translation>
+    </message>
+    <message>
+        <source>Change “%1”</source>
+        <translation>Modifier « %1 »</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Merge landmarks</source>
+        <translation>Fusionner des repères</translation>
+    </message>
+    <message>
+        <source>The views of this landmark go to “%1”, and it is deleted:</source>
+        <translation>Les vues de ce repère vont à « %1 », et il est supprimé :</translation>
+    </message>
+    <message>
+        <source>Split the landmark</source>
+        <translation>Séparer le repère</translation>
+    </message>
+    <message numerus="yes">
+        <source>Name of the landmark that the %n chosen view(s) become:</source>
+        <translation>
+            <numerusform>Nom du repère que devient la %n vue choisie :</numerusform>
+            <numerusform>Nom du repère que deviennent les %n vues choisies :</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Delete views</source>
+        <translation>Supprimer des vues</translation>
+    </message>
+    <message>
+        <source>Delete “%1”</source>
+        <translation>Supprimer « %1 »</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::TrainingWords</name>
+    <message>
+        <source>Too dark. Switch on a light.</source>
+        <translation>Trop sombre. Allumez une lampe.</translation>
+    </message>
+    <message>
+        <source>Too bright. Turn away from the window or the lamp.</source>
+        <translation>Trop clair. Détournez-vous de la fenêtre ou de la lampe.</translation>
+    </message>
+    <message>
+        <source>Blurred. Hold the camera still, or wait until it is sharp.</source>
+        <translation>Flou. Tenez la caméra immobile, ou attendez que l&apos;image soit nette.</translation>
+    </message>
+    <message>
+        <source>Too small in the picture. Go nearer.</source>
+        <translation>Trop petit dans l&apos;image. Approchez-vous.</translation>
+    </message>
+    <message>
+        <source>Too little detail inside the outline. Go nearer, or choose something with more detail.</source>
+        <translation>Trop peu de détails dans le contour. Approchez-vous, ou choisissez quelque chose de plus détaillé.</translation>
+    </message>
+    <message>
+        <source>The corners cross. Set them clockwise from the top left.</source>
+        <translation>Les coins se croisent. Placez-les dans le sens des aiguilles d&apos;une montre à partir du haut à gauche.</translation>
+    </message>
+    <message>
+        <source>Next: straight from the front, about 2 metres away.</source>
+        <translation>Ensuite : bien en face, à environ 2 mètres.</translation>
+    </message>
+    <message>
+        <source>Next: from the left, so that you see it aslant.</source>
+        <translation>Ensuite : de la gauche, pour le voir de biais.</translation>
+    </message>
+    <message>
+        <source>Next: from the right, so that you see it aslant.</source>
+        <translation>Ensuite : de la droite, pour le voir de biais.</translation>
+    </message>
+    <message>
+        <source>Next: from farther away, about twice as far.</source>
+        <translation>Ensuite : de plus loin, environ deux fois plus.</translation>
+    </message>
+    <message>
+        <source>Next: the same view from a step aside, or a step nearer.</source>
+        <translation>Ensuite : la même vue, d&apos;un pas de côté ou d&apos;un pas plus près.</translation>
+    </message>
+    <message>
+        <source>These views are enough. More do no harm.</source>
+        <translation>Ces vues suffisent. Plus ne nuit pas.</translation>
+    </message>
+    <message>
+        <source>There is one view only: nothing to look for it with. Add another.</source>
+        <translation>Il n&apos;y a qu&apos;une vue : rien pour la chercher. Ajoutez-en une autre.</translation>
+    </message>
+    <message>
+        <source>Found in %1 of its %2 views by the others.</source>
+        <translation>Retrouvé dans %1 de ses %2 vues par les autres.</translation>
+    </message>
+    <message>
+        <source>Found from up to about %1 m (%2 pixels).</source>
+        <translation>Trouvé jusqu&apos;à environ %1 m (%2 pixels).</translation>
+    </message>
+    <message>
+        <source>Found down to a size of %1 pixels in the picture; give its real size to learn how far that is.</source>
+        <translation>Trouvé jusqu&apos;à une taille de %1 pixels dans l&apos;image ; donnez sa taille réelle pour savoir à quelle distance.</translation>
+    </message>
+    <message>
+        <source>Found up to %1 degrees aside.</source>
+        <translation>Trouvé jusqu&apos;à %1 degrés de côté.</translation>
+    </message>
+    <message>
+        <source>Not found from aside. Add views from the left and the right.</source>
+        <translation>Non trouvé de côté. Ajoutez des vues de gauche et de droite.</translation>
+    </message>
+    <message>
+        <source>Never found when shown smaller or turned. Choose something with more detail.</source>
+        <translation>Jamais trouvé plus petit ou tourné. Choisissez quelque chose de plus détaillé.</translation>
+    </message>
+    <message>
+        <source>Taken for another: %1.</source>
+        <translation>Pris pour un autre : %1.</translation>
+    </message>
+    <message>
+        <source>Others are taken for it: %1.</source>
+        <translation>D&apos;autres sont pris pour lui : %1.</translation>
+    </message>
+    <message>
+        <source>Confused with none of the others.</source>
+        <translation>Confondu avec aucun des autres.</translation>
+    </message>
+    <message>
+        <source>confused with %1</source>
+        <translation>confondu avec %1</translation>
+    </message>
+    <message>
+        <source>hard to find</source>
+        <translation>difficile à trouver</translation>
+    </message>
+    <message>
+        <source>found from near only</source>
+        <translation>trouvé de près seulement</translation>
+    </message>
+    <message>
+        <source>%1 of %2 views found again</source>
+        <translation>%1 vues retrouvées sur %2</translation>
+    </message>
+    <message>
+        <source>one view only</source>
+        <translation>une seule vue</translation>
+    </message>
+    <message>
+        <source>good</source>
+        <translation>bon</translation>
+    </message>
+</context>
+<context>
     <name>farol::ui::UtteranceModel</name>
     <message>
         <source>Caused by picture %1</source>
@@ -5181,6 +6484,14 @@ Ouvrez-en une avec Ctrl+O.</translation>
     <message>
         <source>How fast pictures from files are played</source>
         <translation>À quelle vitesse sont lues les images des fichiers</translation>
+    </message>
+    <message>
+        <source>Landmark&amp;s page</source>
+        <translation>Page &amp;Repères</translation>
+    </message>
+    <message>
+        <source>Teach Farol landmarks, check them and change them</source>
+        <translation>Apprendre des repères à Farol, les vérifier et les modifier</translation>
     </message>
 </context>
 <context>

@@ -128,7 +128,8 @@ bool takeTask(const std::string& clause, WalkTask& task, std::optional<int>* hou
     }
     bool liftDoor = begins(text, "get out of the lift") || begins(text, "go into the lift");
     bool gap = begins(text, "go through the ") || begins(text, "go straight on through the ") ||
-               begins(text, "a door") || begins(text, "an opening");
+               begins(text, "go straight on through two ") || begins(text, "a door") ||
+               begins(text, "an opening");
     if (!gap && !liftDoor) {
         // Of a lift one is in already: "stay in the lift".
         bool climb = begins(text, "take the ") || begins(text, "go up the ") ||
@@ -159,6 +160,13 @@ bool takeTask(const std::string& clause, WalkTask& task, std::optional<int>* hou
     std::size_t comma = text.rfind(", turning");
     if (comma != std::string_view::npos) task.turn = turnIn(text.substr(comma + 2));
     return true;
+}
+
+/// "Go straight on through two doors in a row" is two tasks, both straight ahead.
+void takePair(std::string_view text, WalkTask& then) {
+    if (!has(text, "straight on through two ")) return;
+    then.feature = has(text, "opening") ? Feature::Opening : Feature::Door;
+    then.turn = fromDegrees(0.0);
 }
 
 /// "2" of "level 2", "-1" of "level minus 1"; other names as they are.
@@ -308,6 +316,7 @@ private:
         }
         takeTask(std::string(first), m_heard.task, &m_heard.hour);
         if (first.size() < text.size()) takeTask(std::string(second), m_heard.then, nullptr);
+        takePair(first, m_heard.then);
         return true;
     }
 
@@ -343,6 +352,7 @@ private:
         if (!verb || !takeTask(clause, task, &hour)) return;
         task.into = m_heard.task.into;
         m_heard.task = task;
+        takePair(clause, m_heard.then);
         if (hour) m_heard.hour = hour;
         m_heard.order = Order::Go;
         m_heard.now = true;

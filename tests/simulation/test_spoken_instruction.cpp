@@ -26,6 +26,25 @@ TEST(SpokenInstruction, ADoorWithItsSideItsNumberAndWhatFollows) {
     EXPECT_NEAR(toDegrees(*heard.task.behind), -90.0, 1e-9);
 }
 
+TEST(SpokenInstruction, TwoOpeningsInARowAreTwoTasks) {
+    for (const char* words : {"Go straight on through two openings in a row.",
+                              "In about 6 metres, go straight on through two openings in a row."}) {
+        auto heard = instructionFrom(words);
+        EXPECT_EQ(heard.order, Order::Go);
+        EXPECT_EQ(heard.task.feature, Feature::Opening);
+        EXPECT_EQ(heard.then.feature, Feature::Opening);
+        ASSERT_TRUE(heard.then.turn.has_value());
+        EXPECT_NEAR(toDegrees(*heard.then.turn), 0.0, 1e-9);
+    }
+    auto last = instructionFrom("Go through the door on your right. Next: your destination.");
+    EXPECT_EQ(last.task.side, Side::Right);
+    EXPECT_TRUE(last.task.into.empty());
+    auto doors =
+        instructionFrom("Go through the door ahead, then turn left. Then, straight away, go straight on "
+                        "through the next door.");
+    EXPECT_EQ(doors.then.feature, Feature::Door);
+}
+
 TEST(SpokenInstruction, ATurnIsMadeNowOrFirstByWhatFollows) {
     auto now = instructionFrom("Turn left.");
     EXPECT_TRUE(now.now);

@@ -1815,6 +1815,14 @@ Open a camera, a video or a folder of pictures, then press Play.</source>
         <source>Lists</source>
         <translation>Listen</translation>
     </message>
+    <message>
+        <source>Why there</source>
+        <translation>Warum dort</translation>
+    </message>
+    <message>
+        <source>What the vote of the chosen place is made of, and what speaks for it</source>
+        <translation>Woraus die Stimme für den gewählten Ort besteht und was für ihn spricht</translation>
+    </message>
 </context>
 <context>
     <name>farol::ui::LocaliserMenu</name>
@@ -1996,6 +2004,58 @@ Führt einen blinden Menschen mit einer gewöhnlichen Kamera durch ein Gebäude:
     <message>
         <source>&amp;Stay</source>
         <translation>&amp;Bleiben</translation>
+    </message>
+    <message>
+        <source>Saved in %1</source>
+        <translation>Gespeichert in %1</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written. Choose another folder.</source>
+        <translation>%1 kann nicht geschrieben werden. Wählen Sie einen anderen Ordner.</translation>
+    </message>
+    <message>
+        <source>There is no walk to correct.</source>
+        <translation>Es gibt keine Begehung zu berichtigen.</translation>
+    </message>
+    <message>
+        <source>Choose a place on the map, or in the list “Where it could be”, first.</source>
+        <translation>Wählen Sie zuerst einen Ort auf der Karte oder in der Liste „Wo es sein könnte“.</translation>
+    </message>
+    <message>
+        <source>The user is in %1: told by you.</source>
+        <translation>Der Benutzer ist bei %1: von Ihnen gesagt.</translation>
+    </message>
+    <message>
+        <source>The place is given up and looked for anew.</source>
+        <translation>Der Ort wird aufgegeben und neu gesucht.</translation>
+    </message>
+    <message>
+        <source>Say this</source>
+        <translation>Dies sagen</translation>
+    </message>
+    <message>
+        <source>Sentence that is spoken to the user:</source>
+        <translation>Satz, der dem Benutzer gesagt wird:</translation>
+    </message>
+    <message>
+        <source>&amp;Say it</source>
+        <translation>&amp;Sagen</translation>
+    </message>
+    <message>
+        <source>Save the picture</source>
+        <translation>Bild speichern</translation>
+    </message>
+    <message>
+        <source>Pictures (%1)</source>
+        <translation>Bilder (%1)</translation>
+    </message>
+    <message>
+        <source>Save the walk as table</source>
+        <translation>Begehung als Tabelle speichern</translation>
+    </message>
+    <message>
+        <source>Tables (%1)</source>
+        <translation>Tabellen (%1)</translation>
     </message>
 </context>
 <context>
@@ -2448,6 +2508,10 @@ Führt einen blinden Menschen mit einer gewöhnlichen Kamera durch ein Gebäude:
     <message>
         <source>Taken to be in %1: %2. Really in %3.</source>
         <translation>Angenommen bei %1: %2. Wirklich bei %3.</translation>
+    </message>
+    <message>
+        <source>The user &amp;is here, in %1</source>
+        <translation>Der Benutzer &amp;ist hier: %1</translation>
     </message>
 </context>
 <context>
@@ -3947,6 +4011,101 @@ Open one with Ctrl+O.</source>
     <message>
         <source>Look for what is wrong with the map as it is now (F7)</source>
         <translation>Suchen, was an der Karte jetzt nicht stimmt (F7)</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::RevoteDialog</name>
+    <message>
+        <source>&amp;Compare</source>
+        <translation>&amp;Vergleichen</translation>
+    </message>
+    <message>
+        <source>Work out a recorded walk anew</source>
+        <translation>Eine aufgenommene Begehung neu berechnen</translation>
+    </message>
+    <message>
+        <source>Folder of the recorded walk</source>
+        <translation>Ordner der aufgenommenen Begehung</translation>
+    </message>
+    <message>
+        <source>Where the recorded walk is kept</source>
+        <translation>Wo die aufgenommene Begehung liegt</translation>
+    </message>
+    <message>
+        <source>&amp;Browse…</source>
+        <translation>&amp;Durchsuchen…</translation>
+    </message>
+    <message>
+        <source>Browse for the recorded walk</source>
+        <translation>Die aufgenommene Begehung suchen</translation>
+    </message>
+    <message>
+        <source>Folder of a recorded walk</source>
+        <translation>Ordner einer aufgenommenen Begehung</translation>
+    </message>
+    <message>
+        <source>How the place is worked out now</source>
+        <translation>Wie der Ort jetzt gefunden wird</translation>
+    </message>
+    <message>
+        <source>What the recorded walk is worked out with the second time</source>
+        <translation>Womit die aufgenommene Begehung das zweite Mal berechnet wird</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Vergleichen</translation>
+    </message>
+    <message>
+        <source>Work the walk out as it was, and once more with the other choice</source>
+        <translation>Die Begehung berechnen, wie sie war, und noch einmal mit der anderen Wahl</translation>
+    </message>
+    <message>
+        <source>The pictures are not looked at again: what was recognised then is taken, and the place is worked out anew.</source>
+        <translation>Die Bilder werden nicht noch einmal angesehen: Was damals erkannt wurde, gilt, und der Ort wird neu berechnet.</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Ab</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Vorher</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Jetzt</translation>
+    </message>
+    <message>
+        <source>Where the two differ</source>
+        <translation>Wo sich beide unterscheiden</translation>
+    </message>
+    <message>
+        <source>&amp;Recorded walk:</source>
+        <translation>&amp;Aufgenommene Begehung:</translation>
+    </message>
+    <message>
+        <source>&amp;Worked out by:</source>
+        <translation>&amp;Berechnet durch:</translation>
+    </message>
+    <message>
+        <source>Working…</source>
+        <translation>Arbeitet…</translation>
+    </message>
+    <message>
+        <source>%1 before, %2 now. The same place on %3 of %4 pictures (%5 %). Sentences: %6 before, %7 now.</source>
+        <translation>%1 vorher, %2 jetzt. Derselbe Ort auf %3 von %4 Bildern (%5 %). Sätze: %6 vorher, %7 jetzt.</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>nicht bekannt</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
     </message>
 </context>
 <context>
@@ -5555,6 +5714,41 @@ Schalten Sie die Kamera ein, oder wählen Sie Bilder oder eine Aufnahme.</transl
     </message>
 </context>
 <context>
+    <name>farol::ui::TimelineBar</name>
+    <message>
+        <source>T&amp;imeline:</source>
+        <translation>&amp;Zeitleiste:</translation>
+    </message>
+    <message>
+        <source>Timeline</source>
+        <translation>Zeitleiste</translation>
+    </message>
+    <message>
+        <source>How sure the place was, and marks where something was said. Drag it, or use the arrow keys, to look back; End goes back to now.</source>
+        <translation>Wie sicher der Ort war, mit Marken, wo etwas gesagt wurde. Ziehen Sie sie oder benutzen Sie die Pfeile, um zurückzuschauen; Ende kehrt zum Jetzt zurück.</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Jetzt</translation>
+    </message>
+    <message>
+        <source>Back to now</source>
+        <translation>Zurück zum Jetzt</translation>
+    </message>
+    <message>
+        <source>Show the walk as it is now</source>
+        <translation>Die Begehung zeigen, wie sie jetzt ist</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>Looking back at %1</source>
+        <translation>Rückblick auf %1</translation>
+    </message>
+</context>
+<context>
     <name>farol::ui::TrainingActions</name>
     <message>
         <source>&amp;Landmarks</source>
@@ -6032,6 +6226,37 @@ Schalten Sie die Kamera ein, oder wählen Sie Bilder oder eine Aufnahme.</transl
     </message>
 </context>
 <context>
+    <name>farol::ui::VoteDetailModel</name>
+    <message>
+        <source>seen at %1</source>
+        <translation>gesehen bei %1</translation>
+    </message>
+    <message>
+        <source>filter</source>
+        <translation>Filter</translation>
+    </message>
+    <message>
+        <source>speaks for it</source>
+        <translation>spricht dafür</translation>
+    </message>
+    <message>
+        <source>none of the objects last seen stands there</source>
+        <translation>keiner der zuletzt gesehenen Gegenstände steht dort</translation>
+    </message>
+    <message>
+        <source>Term</source>
+        <translation>Begriff</translation>
+    </message>
+    <message>
+        <source>Figure</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Meaning</source>
+        <translation>Bedeutung</translation>
+    </message>
+</context>
+<context>
     <name>farol::ui::VoteModel</name>
     <message numerus="yes">
         <source>%n matching object(s)</source>
@@ -6493,6 +6718,78 @@ Schalten Sie die Kamera ein, oder wählen Sie Bilder oder eine Aufnahme.</transl
         <source>Teach Farol landmarks, check them and change them</source>
         <translation>Farol Landmarken beibringen, sie prüfen und ändern</translation>
     </message>
+    <message>
+        <source>The user is &amp;here</source>
+        <translation>Der Benutzer ist &amp;hier</translation>
+    </message>
+    <message>
+        <source>Here</source>
+        <translation>Hier</translation>
+    </message>
+    <message>
+        <source>The user is in the place that is chosen on the map or in the list</source>
+        <translation>Der Benutzer ist an dem Ort, der auf der Karte oder in der Liste gewählt ist</translation>
+    </message>
+    <message>
+        <source>That is &amp;wrong</source>
+        <translation>Das ist &amp;falsch</translation>
+    </message>
+    <message>
+        <source>Wrong</source>
+        <translation>Falsch</translation>
+    </message>
+    <message>
+        <source>The place shown is wrong: look for it anew</source>
+        <translation>Der gezeigte Ort ist falsch: neu suchen</translation>
+    </message>
+    <message>
+        <source>&amp;Work out a recorded walk anew…</source>
+        <translation>Aufgenommene Begehung neu &amp;berechnen…</translation>
+    </message>
+    <message>
+        <source>Anew</source>
+        <translation>Neu</translation>
+    </message>
+    <message>
+        <source>Compare a recorded walk with the same walk worked out otherwise</source>
+        <translation>Eine aufgenommene Begehung mit derselben, anders berechnet, vergleichen</translation>
+    </message>
+    <message>
+        <source>&amp;Say this…</source>
+        <translation>&amp;Dies sagen…</translation>
+    </message>
+    <message>
+        <source>Say</source>
+        <translation>Sagen</translation>
+    </message>
+    <message>
+        <source>Type a sentence that is spoken to the user</source>
+        <translation>Einen Satz tippen, der dem Benutzer gesagt wird</translation>
+    </message>
+    <message>
+        <source>Sa&amp;ve the picture…</source>
+        <translation>Bild s&amp;peichern…</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>Save what the camera sees, with what was recognised</source>
+        <translation>Speichern, was die Kamera sieht, mit dem Erkannten</translation>
+    </message>
+    <message>
+        <source>Save the walk as &amp;table…</source>
+        <translation>Begehung als Tabelle speiche&amp;rn…</translation>
+    </message>
+    <message>
+        <source>Table</source>
+        <translation>Tabelle</translation>
+    </message>
+    <message>
+        <source>Save times, places and sentences of this walk for a spreadsheet</source>
+        <translation>Zeiten, Orte und Sätze dieser Begehung für eine Tabellenkalkulation speichern</translation>
+    </message>
 </context>
 <context>
     <name>farol::ui::Words</name>
@@ -6723,6 +7020,238 @@ Schalten Sie die Kamera ein, oder wählen Sie Bilder oder eine Aufnahme.</transl
     <message>
         <source>vote</source>
         <translation>Stimme</translation>
+    </message>
+    <message>
+        <source>does not reach the floor</source>
+        <translation>reicht nicht bis zum Boden</translation>
+    </message>
+    <message>
+        <source>two places look alike</source>
+        <translation>zwei Orte sehen gleich aus</translation>
+    </message>
+    <message>
+        <source>part of the number may be hidden</source>
+        <translation>ein Teil der Nummer kann verdeckt sein</translation>
+    </message>
+    <message>
+        <source>blurred</source>
+        <translation>unscharf</translation>
+    </message>
+    <message>
+        <source>too many lines for a door</source>
+        <translation>zu viele Linien für eine Tür</translation>
+    </message>
+    <message>
+        <source>looked at again, it was something else</source>
+        <translation>noch einmal angesehen, war es etwas anderes</translation>
+    </message>
+    <message>
+        <source>the scene changed</source>
+        <translation>die Szene hat gewechselt</translation>
+    </message>
+    <message>
+        <source>lines evenly apart, as of a shelf</source>
+        <translation>Linien in gleichem Abstand, wie von einem Regal</translation>
+    </message>
+    <message>
+        <source>too few step edges</source>
+        <translation>zu wenige Stufenkanten</translation>
+    </message>
+    <message>
+        <source>lines, but no steps</source>
+        <translation>Linien, aber keine Stufen</translation>
+    </message>
+    <message>
+        <source>lines apart as of floor tiles</source>
+        <translation>Linienabstand wie bei Bodenfliesen</translation>
+    </message>
+    <message>
+        <source>pictures too far apart to follow it</source>
+        <translation>Bilder zu weit auseinander, um ihm zu folgen</translation>
+    </message>
+    <message>
+        <source>a grid, as of tiles or windows</source>
+        <translation>ein Gitter, wie von Fliesen oder Fenstern</translation>
+    </message>
+    <message>
+        <source>too high for steps</source>
+        <translation>zu hoch für eine Treppe</translation>
+    </message>
+    <message>
+        <source>impossible size</source>
+        <translation>unmögliche Größe</translation>
+    </message>
+    <message>
+        <source>does not move as one thing</source>
+        <translation>bewegt sich nicht als Ganzes</translation>
+    </message>
+    <message>
+        <source>its sides go on above it</source>
+        <translation>seine Seiten gehen darüber weiter</translation>
+    </message>
+    <message>
+        <source>of a kind that is not looked for</source>
+        <translation>von einer Art, die nicht gesucht wird</translation>
+    </message>
+    <message>
+        <source>told by its trained look instead</source>
+        <translation>stattdessen am gelernten Aussehen erkannt</translation>
+    </message>
+    <message>
+        <source>left the picture</source>
+        <translation>aus dem Bild verschwunden</translation>
+    </message>
+    <message>
+        <source>a line goes across it</source>
+        <translation>eine Linie geht quer hindurch</translation>
+    </message>
+    <message>
+        <source>a line goes up its middle</source>
+        <translation>eine Linie geht durch die Mitte hinauf</translation>
+    </message>
+    <message>
+        <source>a stroke rather than a letter</source>
+        <translation>eher ein Strich als ein Buchstabe</translation>
+    </message>
+    <message>
+        <source>looks different now</source>
+        <translation>sieht jetzt anders aus</translation>
+    </message>
+    <message>
+        <source>a letter was missed</source>
+        <translation>ein Buchstabe fehlte</translation>
+    </message>
+    <message>
+        <source>a point was missed</source>
+        <translation>ein Punkt fehlte</translation>
+    </message>
+    <message>
+        <source>a space was missed</source>
+        <translation>ein Leerzeichen fehlte</translation>
+    </message>
+    <message>
+        <source>reading not sure</source>
+        <translation>Lesung nicht sicher</translation>
+    </message>
+    <message>
+        <source>too pale</source>
+        <translation>zu blass</translation>
+    </message>
+    <message>
+        <source>too low for stairs</source>
+        <translation>zu niedrig für eine Treppe</translation>
+    </message>
+    <message>
+        <source>not sure enough</source>
+        <translation>nicht sicher genug</translation>
+    </message>
+    <message>
+        <source>seen as in a mirror</source>
+        <translation>wie im Spiegel gesehen</translation>
+    </message>
+    <message>
+        <source>too narrow</source>
+        <translation>zu schmal</translation>
+    </message>
+    <message>
+        <source>only a small part fits</source>
+        <translation>nur ein kleiner Teil passt</translation>
+    </message>
+    <message>
+        <source>the points fit no outline</source>
+        <translation>die Punkte passen zu keinem Umriss</translation>
+    </message>
+    <message>
+        <source>no letters</source>
+        <translation>keine Buchstaben</translation>
+    </message>
+    <message>
+        <source>readings do not agree yet</source>
+        <translation>Lesungen stimmen noch nicht überein</translation>
+    </message>
+    <message>
+        <source>outline without numbers</source>
+        <translation>Umriss ohne Zahlen</translation>
+    </message>
+    <message>
+        <source>mostly outside the picture</source>
+        <translation>größtenteils außerhalb des Bildes</translation>
+    </message>
+    <message>
+        <source>lost from sight</source>
+        <translation>aus den Augen verloren</translation>
+    </message>
+    <message>
+        <source>seen only once so far</source>
+        <translation>bisher nur einmal gesehen</translation>
+    </message>
+    <message>
+        <source>only a sliver</source>
+        <translation>nur ein Streifen</translation>
+    </message>
+    <message>
+        <source>too few letters</source>
+        <translation>zu wenige Buchstaben</translation>
+    </message>
+    <message>
+        <source>too small</source>
+        <translation>zu klein</translation>
+    </message>
+    <message>
+        <source>not seen again</source>
+        <translation>nicht wieder gesehen</translation>
+    </message>
+    <message>
+        <source>step edges of uneven contrast</source>
+        <translation>Stufenkanten mit ungleichem Kontrast</translation>
+    </message>
+    <message>
+        <source>step edges unevenly apart</source>
+        <translation>Stufenkanten in ungleichem Abstand</translation>
+    </message>
+    <message>
+        <source>read differently each time</source>
+        <translation>jedes Mal anders gelesen</translation>
+    </message>
+    <message>
+        <source>no top of a door frame</source>
+        <translation>kein oberer Türrahmen</translation>
+    </message>
+    <message>
+        <source>wider above than below</source>
+        <translation>oben breiter als unten</translation>
+    </message>
+    <message>
+        <source>in the way of walking</source>
+        <translation>in Gehrichtung</translation>
+    </message>
+    <message>
+        <source>on your level</source>
+        <translation>auf Ihrer Ebene</translation>
+    </message>
+    <message>
+        <source>matching objects</source>
+        <translation>passende Gegenstände</translation>
+    </message>
+    <message>
+        <source>matching objects next door</source>
+        <translation>passende Gegenstände nebenan</translation>
+    </message>
+    <message>
+        <source>objects seen</source>
+        <translation>gesehene Gegenstände</translation>
+    </message>
+    <message>
+        <source>share of the likelihood</source>
+        <translation>Anteil der Wahrscheinlichkeit</translation>
+    </message>
+    <message>
+        <source>could be anywhere</source>
+        <translation>könnte überall sein</translation>
+    </message>
+    <message>
+        <source>evidence against all of this</source>
+        <translation>Hinweise gegen all dies</translation>
     </message>
 </context>
 </TS>

@@ -1815,12 +1815,20 @@ Abra una cámara, un vídeo o una carpeta de imágenes y pulse Reproducir.</tran
         <source>Lists</source>
         <translation>Listas</translation>
     </message>
+    <message>
+        <source>Why there</source>
+        <translation>Por qué allí</translation>
+    </message>
+    <message>
+        <source>What the vote of the chosen place is made of, and what speaks for it</source>
+        <translation>De qué se compone el voto del lugar elegido y qué habla a su favor</translation>
+    </message>
 </context>
 <context>
     <name>farol::ui::LocaliserMenu</name>
     <message>
         <source>&amp;How the place is worked out</source>
-        <translation>Cómo se deduce el &amp;lugar</translation>
+        <translation>Cómo se deduce el luga&amp;r</translation>
     </message>
     <message>
         <source>Filter, for people who are &amp;guided</source>
@@ -1996,6 +2004,58 @@ Guía a una persona ciega por un edificio con una cámara corriente: reconoce lo
     <message>
         <source>&amp;Stay</source>
         <translation>&amp;Quedarse</translation>
+    </message>
+    <message>
+        <source>Saved in %1</source>
+        <translation>Guardado en %1</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written. Choose another folder.</source>
+        <translation>No se puede escribir %1. Elija otra carpeta.</translation>
+    </message>
+    <message>
+        <source>There is no walk to correct.</source>
+        <translation>No hay ningún recorrido que corregir.</translation>
+    </message>
+    <message>
+        <source>Choose a place on the map, or in the list “Where it could be”, first.</source>
+        <translation>Elija primero un lugar en el mapa o en la lista “Dónde podría estar”.</translation>
+    </message>
+    <message>
+        <source>The user is in %1: told by you.</source>
+        <translation>El usuario está en %1: lo ha dicho usted.</translation>
+    </message>
+    <message>
+        <source>The place is given up and looked for anew.</source>
+        <translation>Se renuncia al lugar y se busca de nuevo.</translation>
+    </message>
+    <message>
+        <source>Say this</source>
+        <translation>Decir esto</translation>
+    </message>
+    <message>
+        <source>Sentence that is spoken to the user:</source>
+        <translation>Frase que se dice al usuario:</translation>
+    </message>
+    <message>
+        <source>&amp;Say it</source>
+        <translation>&amp;Decirlo</translation>
+    </message>
+    <message>
+        <source>Save the picture</source>
+        <translation>Guardar la imagen</translation>
+    </message>
+    <message>
+        <source>Pictures (%1)</source>
+        <translation>Imágenes (%1)</translation>
+    </message>
+    <message>
+        <source>Save the walk as table</source>
+        <translation>Guardar el recorrido como tabla</translation>
+    </message>
+    <message>
+        <source>Tables (%1)</source>
+        <translation>Tablas (%1)</translation>
     </message>
 </context>
 <context>
@@ -2448,6 +2508,10 @@ Guía a una persona ciega por un edificio con una cámara corriente: reconoce lo
     <message>
         <source>Taken to be in %1: %2. Really in %3.</source>
         <translation>Se le supone en %1: %2. En realidad en %3.</translation>
+    </message>
+    <message>
+        <source>The user &amp;is here, in %1</source>
+        <translation>El usuario e&amp;stá aquí, en %1</translation>
     </message>
 </context>
 <context>
@@ -3947,6 +4011,101 @@ Abra uno con Ctrl+O.</translation>
     <message>
         <source>Look for what is wrong with the map as it is now (F7)</source>
         <translation>Buscar qué está mal en el mapa tal como está (F7)</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::RevoteDialog</name>
+    <message>
+        <source>&amp;Compare</source>
+        <translation>&amp;Comparar</translation>
+    </message>
+    <message>
+        <source>Work out a recorded walk anew</source>
+        <translation>Calcular de nuevo un recorrido grabado</translation>
+    </message>
+    <message>
+        <source>Folder of the recorded walk</source>
+        <translation>Carpeta del recorrido grabado</translation>
+    </message>
+    <message>
+        <source>Where the recorded walk is kept</source>
+        <translation>Dónde se guarda el recorrido grabado</translation>
+    </message>
+    <message>
+        <source>&amp;Browse…</source>
+        <translation>&amp;Examinar…</translation>
+    </message>
+    <message>
+        <source>Browse for the recorded walk</source>
+        <translation>Buscar el recorrido grabado</translation>
+    </message>
+    <message>
+        <source>Folder of a recorded walk</source>
+        <translation>Carpeta de un recorrido grabado</translation>
+    </message>
+    <message>
+        <source>How the place is worked out now</source>
+        <translation>Cómo se deduce ahora el lugar</translation>
+    </message>
+    <message>
+        <source>What the recorded walk is worked out with the second time</source>
+        <translation>Con qué se calcula el recorrido grabado la segunda vez</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Comparar</translation>
+    </message>
+    <message>
+        <source>Work the walk out as it was, and once more with the other choice</source>
+        <translation>Calcular el recorrido como fue y otra vez con la otra elección</translation>
+    </message>
+    <message>
+        <source>The pictures are not looked at again: what was recognised then is taken, and the place is worked out anew.</source>
+        <translation>Las imágenes no se miran otra vez: se toma lo reconocido entonces y se deduce de nuevo el lugar.</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Desde</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>Imágenes</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Antes</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Ahora</translation>
+    </message>
+    <message>
+        <source>Where the two differ</source>
+        <translation>Dónde difieren</translation>
+    </message>
+    <message>
+        <source>&amp;Recorded walk:</source>
+        <translation>&amp;Recorrido grabado:</translation>
+    </message>
+    <message>
+        <source>&amp;Worked out by:</source>
+        <translation>Calculado 34 &amp;Calculado por:por:</translation>
+    </message>
+    <message>
+        <source>Working…</source>
+        <translation>Trabajando…</translation>
+    </message>
+    <message>
+        <source>%1 before, %2 now. The same place on %3 of %4 pictures (%5 %). Sentences: %6 before, %7 now.</source>
+        <translation>%1 antes, %2 ahora. El mismo lugar en %3 de %4 imágenes (%5 %). Frases: %6 antes, %7 ahora.</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>desconocido</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
     </message>
 </context>
 <context>
@@ -5555,6 +5714,41 @@ Encienda la cámara, o elija imágenes o una grabación.</translation>
     </message>
 </context>
 <context>
+    <name>farol::ui::TimelineBar</name>
+    <message>
+        <source>T&amp;imeline:</source>
+        <translation>Línea de &amp;tiempo:</translation>
+    </message>
+    <message>
+        <source>Timeline</source>
+        <translation>Línea de tiempo</translation>
+    </message>
+    <message>
+        <source>How sure the place was, and marks where something was said. Drag it, or use the arrow keys, to look back; End goes back to now.</source>
+        <translation>Qué seguro era el lugar, y marcas donde se dijo algo. Arrástrela o use las flechas para mirar atrás; Fin vuelve al ahora.</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Ahora</translation>
+    </message>
+    <message>
+        <source>Back to now</source>
+        <translation>Volver al ahora</translation>
+    </message>
+    <message>
+        <source>Show the walk as it is now</source>
+        <translation>Mostrar el recorrido como es ahora</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 de %2</translation>
+    </message>
+    <message>
+        <source>Looking back at %1</source>
+        <translation>Mirando atrás, a las %1</translation>
+    </message>
+</context>
+<context>
     <name>farol::ui::TrainingActions</name>
     <message>
         <source>&amp;Landmarks</source>
@@ -6032,6 +6226,37 @@ Encienda la cámara, o elija imágenes o una grabación.</translation>
     </message>
 </context>
 <context>
+    <name>farol::ui::VoteDetailModel</name>
+    <message>
+        <source>seen at %1</source>
+        <translation>visto a las %1</translation>
+    </message>
+    <message>
+        <source>filter</source>
+        <translation>filtro</translation>
+    </message>
+    <message>
+        <source>speaks for it</source>
+        <translation>habla a su favor</translation>
+    </message>
+    <message>
+        <source>none of the objects last seen stands there</source>
+        <translation>ninguno de los últimos objetos vistos está allí</translation>
+    </message>
+    <message>
+        <source>Term</source>
+        <translation>Término</translation>
+    </message>
+    <message>
+        <source>Figure</source>
+        <translation>Valor</translation>
+    </message>
+    <message>
+        <source>Meaning</source>
+        <translation>Significado</translation>
+    </message>
+</context>
+<context>
     <name>farol::ui::VoteModel</name>
     <message numerus="yes">
         <source>%n matching object(s)</source>
@@ -6493,6 +6718,78 @@ Encienda la cámara, o elija imágenes o una grabación.</translation>
         <source>Teach Farol landmarks, check them and change them</source>
         <translation>Enseñar a Farol puntos de referencia, comprobarlos y cambiarlos</translation>
     </message>
+    <message>
+        <source>The user is &amp;here</source>
+        <translation>El usuario está a&amp;quí</translation>
+    </message>
+    <message>
+        <source>Here</source>
+        <translation>Aquí</translation>
+    </message>
+    <message>
+        <source>The user is in the place that is chosen on the map or in the list</source>
+        <translation>El usuario está en el lugar elegido en el mapa o en la lista</translation>
+    </message>
+    <message>
+        <source>That is &amp;wrong</source>
+        <translation>Está equi&amp;vocado</translation>
+    </message>
+    <message>
+        <source>Wrong</source>
+        <translation>Mal</translation>
+    </message>
+    <message>
+        <source>The place shown is wrong: look for it anew</source>
+        <translation>El lugar mostrado es incorrecto: buscarlo de nuevo</translation>
+    </message>
+    <message>
+        <source>&amp;Work out a recorded walk anew…</source>
+        <translation>Calcul&amp;ar de nuevo un recorrido grabado…</translation>
+    </message>
+    <message>
+        <source>Anew</source>
+        <translation>De nuevo</translation>
+    </message>
+    <message>
+        <source>Compare a recorded walk with the same walk worked out otherwise</source>
+        <translation>Comparar un recorrido grabado con el mismo calculado de otro modo</translation>
+    </message>
+    <message>
+        <source>&amp;Say this…</source>
+        <translation>Decir es&amp;to…</translation>
+    </message>
+    <message>
+        <source>Say</source>
+        <translation>Decir</translation>
+    </message>
+    <message>
+        <source>Type a sentence that is spoken to the user</source>
+        <translation>Escribir una frase que se dice al usuario</translation>
+    </message>
+    <message>
+        <source>Sa&amp;ve the picture…</source>
+        <translation>Guardar la &amp;imagen…</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Imagen</translation>
+    </message>
+    <message>
+        <source>Save what the camera sees, with what was recognised</source>
+        <translation>Guardar lo que ve la cámara, con lo reconocido</translation>
+    </message>
+    <message>
+        <source>Save the walk as &amp;table…</source>
+        <translation>Guardar el recorrido como ta&amp;bla…</translation>
+    </message>
+    <message>
+        <source>Table</source>
+        <translation>Tabla</translation>
+    </message>
+    <message>
+        <source>Save times, places and sentences of this walk for a spreadsheet</source>
+        <translation>Guardar horas, lugares y frases de este recorrido para una hoja de cálculo</translation>
+    </message>
 </context>
 <context>
     <name>farol::ui::Words</name>
@@ -6723,6 +7020,238 @@ Encienda la cámara, o elija imágenes o una grabación.</translation>
     <message>
         <source>vote</source>
         <translation>voto</translation>
+    </message>
+    <message>
+        <source>does not reach the floor</source>
+        <translation>no llega al suelo</translation>
+    </message>
+    <message>
+        <source>two places look alike</source>
+        <translation>dos lugares se parecen</translation>
+    </message>
+    <message>
+        <source>part of the number may be hidden</source>
+        <translation>parte del número puede estar oculta</translation>
+    </message>
+    <message>
+        <source>blurred</source>
+        <translation>borroso</translation>
+    </message>
+    <message>
+        <source>too many lines for a door</source>
+        <translation>demasiadas líneas para una puerta</translation>
+    </message>
+    <message>
+        <source>looked at again, it was something else</source>
+        <translation>mirado de nuevo, era otra cosa</translation>
+    </message>
+    <message>
+        <source>the scene changed</source>
+        <translation>la escena cambió</translation>
+    </message>
+    <message>
+        <source>lines evenly apart, as of a shelf</source>
+        <translation>líneas a igual distancia, como de una estantería</translation>
+    </message>
+    <message>
+        <source>too few step edges</source>
+        <translation>muy pocos bordes de escalón</translation>
+    </message>
+    <message>
+        <source>lines, but no steps</source>
+        <translation>líneas, pero no escalones</translation>
+    </message>
+    <message>
+        <source>lines apart as of floor tiles</source>
+        <translation>líneas separadas como de baldosas</translation>
+    </message>
+    <message>
+        <source>pictures too far apart to follow it</source>
+        <translation>imágenes demasiado separadas para seguirlo</translation>
+    </message>
+    <message>
+        <source>a grid, as of tiles or windows</source>
+        <translation>una cuadrícula, como de baldosas o ventanas</translation>
+    </message>
+    <message>
+        <source>too high for steps</source>
+        <translation>demasiado alto para escaleras</translation>
+    </message>
+    <message>
+        <source>impossible size</source>
+        <translation>tamaño imposible</translation>
+    </message>
+    <message>
+        <source>does not move as one thing</source>
+        <translation>no se mueve como una sola cosa</translation>
+    </message>
+    <message>
+        <source>its sides go on above it</source>
+        <translation>sus lados siguen por encima</translation>
+    </message>
+    <message>
+        <source>of a kind that is not looked for</source>
+        <translation>de un tipo que no se busca</translation>
+    </message>
+    <message>
+        <source>told by its trained look instead</source>
+        <translation>reconocido por su aspecto entrenado</translation>
+    </message>
+    <message>
+        <source>left the picture</source>
+        <translation>salió de la imagen</translation>
+    </message>
+    <message>
+        <source>a line goes across it</source>
+        <translation>una línea lo atraviesa</translation>
+    </message>
+    <message>
+        <source>a line goes up its middle</source>
+        <translation>una línea sube por el medio</translation>
+    </message>
+    <message>
+        <source>a stroke rather than a letter</source>
+        <translation>un trazo más que una letra</translation>
+    </message>
+    <message>
+        <source>looks different now</source>
+        <translation>ahora se ve distinto</translation>
+    </message>
+    <message>
+        <source>a letter was missed</source>
+        <translation>faltó una letra</translation>
+    </message>
+    <message>
+        <source>a point was missed</source>
+        <translation>faltó un punto</translation>
+    </message>
+    <message>
+        <source>a space was missed</source>
+        <translation>faltó un espacio</translation>
+    </message>
+    <message>
+        <source>reading not sure</source>
+        <translation>lectura insegura</translation>
+    </message>
+    <message>
+        <source>too pale</source>
+        <translation>demasiado pálido</translation>
+    </message>
+    <message>
+        <source>too low for stairs</source>
+        <translation>demasiado bajo para escaleras</translation>
+    </message>
+    <message>
+        <source>not sure enough</source>
+        <translation>no bastante seguro</translation>
+    </message>
+    <message>
+        <source>seen as in a mirror</source>
+        <translation>visto como en un espejo</translation>
+    </message>
+    <message>
+        <source>too narrow</source>
+        <translation>demasiado estrecho</translation>
+    </message>
+    <message>
+        <source>only a small part fits</source>
+        <translation>solo encaja una parte pequeña</translation>
+    </message>
+    <message>
+        <source>the points fit no outline</source>
+        <translation>los puntos no encajan en ningún contorno</translation>
+    </message>
+    <message>
+        <source>no letters</source>
+        <translation>sin letras</translation>
+    </message>
+    <message>
+        <source>readings do not agree yet</source>
+        <translation>las lecturas aún no coinciden</translation>
+    </message>
+    <message>
+        <source>outline without numbers</source>
+        <translation>contorno sin números</translation>
+    </message>
+    <message>
+        <source>mostly outside the picture</source>
+        <translation>en su mayor parte fuera de la imagen</translation>
+    </message>
+    <message>
+        <source>lost from sight</source>
+        <translation>perdido de vista</translation>
+    </message>
+    <message>
+        <source>seen only once so far</source>
+        <translation>visto solo una vez hasta ahora</translation>
+    </message>
+    <message>
+        <source>only a sliver</source>
+        <translation>solo una franja</translation>
+    </message>
+    <message>
+        <source>too few letters</source>
+        <translation>muy pocas letras</translation>
+    </message>
+    <message>
+        <source>too small</source>
+        <translation>demasiado pequeño</translation>
+    </message>
+    <message>
+        <source>not seen again</source>
+        <translation>no visto de nuevo</translation>
+    </message>
+    <message>
+        <source>step edges of uneven contrast</source>
+        <translation>bordes de escalón de contraste desigual</translation>
+    </message>
+    <message>
+        <source>step edges unevenly apart</source>
+        <translation>bordes de escalón a distancias desiguales</translation>
+    </message>
+    <message>
+        <source>read differently each time</source>
+        <translation>leído cada vez de otro modo</translation>
+    </message>
+    <message>
+        <source>no top of a door frame</source>
+        <translation>sin parte superior de un marco de puerta</translation>
+    </message>
+    <message>
+        <source>wider above than below</source>
+        <translation>más ancho arriba que abajo</translation>
+    </message>
+    <message>
+        <source>in the way of walking</source>
+        <translation>en la dirección de la marcha</translation>
+    </message>
+    <message>
+        <source>on your level</source>
+        <translation>en su planta</translation>
+    </message>
+    <message>
+        <source>matching objects</source>
+        <translation>objetos que encajan</translation>
+    </message>
+    <message>
+        <source>matching objects next door</source>
+        <translation>objetos que encajan al lado</translation>
+    </message>
+    <message>
+        <source>objects seen</source>
+        <translation>objetos vistos</translation>
+    </message>
+    <message>
+        <source>share of the likelihood</source>
+        <translation>parte de la verosimilitud</translation>
+    </message>
+    <message>
+        <source>could be anywhere</source>
+        <translation>podría estar en cualquier parte</translation>
+    </message>
+    <message>
+        <source>evidence against all of this</source>
+        <translation>indicios contra todo esto</translation>
     </message>
 </context>
 </TS>

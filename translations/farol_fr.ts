@@ -1815,12 +1815,20 @@ Ouvrez une caméra, une vidéo ou un dossier d&apos;images, puis appuyez sur Lec
         <source>Lists</source>
         <translation>Listes</translation>
     </message>
+    <message>
+        <source>Why there</source>
+        <translation>Pourquoi là</translation>
+    </message>
+    <message>
+        <source>What the vote of the chosen place is made of, and what speaks for it</source>
+        <translation>De quoi se compose le vote du lieu choisi, et ce qui parle pour lui</translation>
+    </message>
 </context>
 <context>
     <name>farol::ui::LocaliserMenu</name>
     <message>
         <source>&amp;How the place is worked out</source>
-        <translation>Comment le l&amp;ieu est trouvé</translation>
+        <translation>Comment le lieu est tr&amp;ouvé</translation>
     </message>
     <message>
         <source>Filter, for people who are &amp;guided</source>
@@ -1996,6 +2004,58 @@ Guide une personne aveugle dans un bâtiment avec une simple caméra : il recon
     <message>
         <source>&amp;Stay</source>
         <translation>&amp;Rester</translation>
+    </message>
+    <message>
+        <source>Saved in %1</source>
+        <translation>Enregistré dans %1</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written. Choose another folder.</source>
+        <translation>%1 ne peut pas être écrit. Choisissez un autre dossier.</translation>
+    </message>
+    <message>
+        <source>There is no walk to correct.</source>
+        <translation>Il n&apos;y a pas de parcours à corriger.</translation>
+    </message>
+    <message>
+        <source>Choose a place on the map, or in the list “Where it could be”, first.</source>
+        <translation>Choisissez d&apos;abord un lieu sur la carte, ou dans la liste « Où cela pourrait être ».</translation>
+    </message>
+    <message>
+        <source>The user is in %1: told by you.</source>
+        <translation>L&apos;utilisateur est ici : %1 : dit par vous.</translation>
+    </message>
+    <message>
+        <source>The place is given up and looked for anew.</source>
+        <translation>Le lieu est abandonné et cherché de nouveau.</translation>
+    </message>
+    <message>
+        <source>Say this</source>
+        <translation>Dire ceci</translation>
+    </message>
+    <message>
+        <source>Sentence that is spoken to the user:</source>
+        <translation>Phrase dite à l&apos;utilisateur :</translation>
+    </message>
+    <message>
+        <source>&amp;Say it</source>
+        <translation>&amp;La dire</translation>
+    </message>
+    <message>
+        <source>Save the picture</source>
+        <translation>Enregistrer l&apos;image</translation>
+    </message>
+    <message>
+        <source>Pictures (%1)</source>
+        <translation>Images (%1)</translation>
+    </message>
+    <message>
+        <source>Save the walk as table</source>
+        <translation>Enregistrer le parcours en tableau</translation>
+    </message>
+    <message>
+        <source>Tables (%1)</source>
+        <translation>Tableaux (%1)</translation>
     </message>
 </context>
 <context>
@@ -2448,6 +2508,10 @@ Guide une personne aveugle dans un bâtiment avec une simple caméra : il recon
     <message>
         <source>Taken to be in %1: %2. Really in %3.</source>
         <translation>Supposé ici : %1 : %2. En réalité ici : %3.</translation>
+    </message>
+    <message>
+        <source>The user &amp;is here, in %1</source>
+        <translation>L&apos;utilisateur &amp;est ici : %1</translation>
     </message>
 </context>
 <context>
@@ -3947,6 +4011,101 @@ Ouvrez-en une avec Ctrl+O.</translation>
     <message>
         <source>Look for what is wrong with the map as it is now (F7)</source>
         <translation>Chercher ce qui ne va pas dans la carte telle qu&apos;elle est (F7)</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::RevoteDialog</name>
+    <message>
+        <source>&amp;Compare</source>
+        <translation>C&amp;omparer</translation>
+    </message>
+    <message>
+        <source>Work out a recorded walk anew</source>
+        <translation>Recalculer un parcours enregistré</translation>
+    </message>
+    <message>
+        <source>Folder of the recorded walk</source>
+        <translation>Dossier du parcours enregistré</translation>
+    </message>
+    <message>
+        <source>Where the recorded walk is kept</source>
+        <translation>Où est gardé le parcours enregistré</translation>
+    </message>
+    <message>
+        <source>&amp;Browse…</source>
+        <translation>&amp;Parcourir…</translation>
+    </message>
+    <message>
+        <source>Browse for the recorded walk</source>
+        <translation>Chercher le parcours enregistré</translation>
+    </message>
+    <message>
+        <source>Folder of a recorded walk</source>
+        <translation>Dossier d&apos;un parcours enregistré</translation>
+    </message>
+    <message>
+        <source>How the place is worked out now</source>
+        <translation>Comment le lieu est trouvé maintenant</translation>
+    </message>
+    <message>
+        <source>What the recorded walk is worked out with the second time</source>
+        <translation>Avec quoi le parcours enregistré est calculé la seconde fois</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Comparer</translation>
+    </message>
+    <message>
+        <source>Work the walk out as it was, and once more with the other choice</source>
+        <translation>Calculer le parcours tel qu&apos;il était, et encore une fois avec l&apos;autre choix</translation>
+    </message>
+    <message>
+        <source>The pictures are not looked at again: what was recognised then is taken, and the place is worked out anew.</source>
+        <translation>Les images ne sont pas regardées de nouveau : on prend ce qui fut reconnu alors, et le lieu est recalculé.</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>De</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>Images</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Avant</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Maintenant</translation>
+    </message>
+    <message>
+        <source>Where the two differ</source>
+        <translation>Où les deux diffèrent</translation>
+    </message>
+    <message>
+        <source>&amp;Recorded walk:</source>
+        <translation>Parcours &amp;enregistré :</translation>
+    </message>
+    <message>
+        <source>&amp;Worked out by:</source>
+        <translation>&amp;Calculé par :</translation>
+    </message>
+    <message>
+        <source>Working…</source>
+        <translation>Travail en cours…</translation>
+    </message>
+    <message>
+        <source>%1 before, %2 now. The same place on %3 of %4 pictures (%5 %). Sentences: %6 before, %7 now.</source>
+        <translation>%1 avant, %2 maintenant. Le même lieu sur %3 images sur %4 (%5 %). Phrases : %6 avant, %7 maintenant.</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>inconnu</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
     </message>
 </context>
 <context>
@@ -5555,6 +5714,41 @@ Allumez la caméra, ou choisissez des images ou un enregistrement.</translation>
     </message>
 </context>
 <context>
+    <name>farol::ui::TimelineBar</name>
+    <message>
+        <source>T&amp;imeline:</source>
+        <translation>L&amp;igne du temps :</translation>
+    </message>
+    <message>
+        <source>Timeline</source>
+        <translation>Ligne du temps</translation>
+    </message>
+    <message>
+        <source>How sure the place was, and marks where something was said. Drag it, or use the arrow keys, to look back; End goes back to now.</source>
+        <translation>À quel point le lieu était sûr, et des marques là où quelque chose fut dit. Glissez-la ou utilisez les flèches pour regarder en arrière ; Fin revient à maintenant.</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Maintenant</translation>
+    </message>
+    <message>
+        <source>Back to now</source>
+        <translation>Revenir à maintenant</translation>
+    </message>
+    <message>
+        <source>Show the walk as it is now</source>
+        <translation>Montrer le parcours tel qu&apos;il est maintenant</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 sur %2</translation>
+    </message>
+    <message>
+        <source>Looking back at %1</source>
+        <translation>Regard en arrière à %1</translation>
+    </message>
+</context>
+<context>
     <name>farol::ui::TrainingActions</name>
     <message>
         <source>&amp;Landmarks</source>
@@ -6032,6 +6226,37 @@ Allumez la caméra, ou choisissez des images ou un enregistrement.</translation>
     </message>
 </context>
 <context>
+    <name>farol::ui::VoteDetailModel</name>
+    <message>
+        <source>seen at %1</source>
+        <translation>vu à %1</translation>
+    </message>
+    <message>
+        <source>filter</source>
+        <translation>filtre</translation>
+    </message>
+    <message>
+        <source>speaks for it</source>
+        <translation>parle pour lui</translation>
+    </message>
+    <message>
+        <source>none of the objects last seen stands there</source>
+        <translation>aucun des derniers objets vus ne s&apos;y trouve</translation>
+    </message>
+    <message>
+        <source>Term</source>
+        <translation>Terme</translation>
+    </message>
+    <message>
+        <source>Figure</source>
+        <translation>Valeur</translation>
+    </message>
+    <message>
+        <source>Meaning</source>
+        <translation>Signification</translation>
+    </message>
+</context>
+<context>
     <name>farol::ui::VoteModel</name>
     <message numerus="yes">
         <source>%n matching object(s)</source>
@@ -6493,6 +6718,78 @@ Allumez la caméra, ou choisissez des images ou un enregistrement.</translation>
         <source>Teach Farol landmarks, check them and change them</source>
         <translation>Apprendre des repères à Farol, les vérifier et les modifier</translation>
     </message>
+    <message>
+        <source>The user is &amp;here</source>
+        <translation>L&apos;utilisateur est &amp;ici</translation>
+    </message>
+    <message>
+        <source>Here</source>
+        <translation>Ici</translation>
+    </message>
+    <message>
+        <source>The user is in the place that is chosen on the map or in the list</source>
+        <translation>L&apos;utilisateur est dans le lieu choisi sur la carte ou dans la liste</translation>
+    </message>
+    <message>
+        <source>That is &amp;wrong</source>
+        <translation>C&apos;est &amp;faux</translation>
+    </message>
+    <message>
+        <source>Wrong</source>
+        <translation>Faux</translation>
+    </message>
+    <message>
+        <source>The place shown is wrong: look for it anew</source>
+        <translation>Le lieu montré est faux : le chercher de nouveau</translation>
+    </message>
+    <message>
+        <source>&amp;Work out a recorded walk anew…</source>
+        <translation>Re&amp;calculer un parcours enregistré…</translation>
+    </message>
+    <message>
+        <source>Anew</source>
+        <translation>À nouveau</translation>
+    </message>
+    <message>
+        <source>Compare a recorded walk with the same walk worked out otherwise</source>
+        <translation>Comparer un parcours enregistré avec le même calculé autrement</translation>
+    </message>
+    <message>
+        <source>&amp;Say this…</source>
+        <translation>F&amp;aire dire ceci…</translation>
+    </message>
+    <message>
+        <source>Say</source>
+        <translation>Dire</translation>
+    </message>
+    <message>
+        <source>Type a sentence that is spoken to the user</source>
+        <translation>Taper une phrase dite à l&apos;utilisateur</translation>
+    </message>
+    <message>
+        <source>Sa&amp;ve the picture…</source>
+        <translation>Enre&amp;gistrer l&apos;image…</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Image</translation>
+    </message>
+    <message>
+        <source>Save what the camera sees, with what was recognised</source>
+        <translation>Enregistrer ce que voit la caméra, avec ce qui est reconnu</translation>
+    </message>
+    <message>
+        <source>Save the walk as &amp;table…</source>
+        <translation>Enregistrer le parcours en ta&amp;bleau…</translation>
+    </message>
+    <message>
+        <source>Table</source>
+        <translation>Tableau</translation>
+    </message>
+    <message>
+        <source>Save times, places and sentences of this walk for a spreadsheet</source>
+        <translation>Enregistrer heures, lieux et phrases de ce parcours pour un tableur</translation>
+    </message>
 </context>
 <context>
     <name>farol::ui::Words</name>
@@ -6723,6 +7020,238 @@ Allumez la caméra, ou choisissez des images ou un enregistrement.</translation>
     <message>
         <source>vote</source>
         <translation>voix</translation>
+    </message>
+    <message>
+        <source>does not reach the floor</source>
+        <translation>n&apos;atteint pas le sol</translation>
+    </message>
+    <message>
+        <source>two places look alike</source>
+        <translation>deux lieux se ressemblent</translation>
+    </message>
+    <message>
+        <source>part of the number may be hidden</source>
+        <translation>une partie du numéro est peut-être cachée</translation>
+    </message>
+    <message>
+        <source>blurred</source>
+        <translation>flou</translation>
+    </message>
+    <message>
+        <source>too many lines for a door</source>
+        <translation>trop de lignes pour une porte</translation>
+    </message>
+    <message>
+        <source>looked at again, it was something else</source>
+        <translation>regardé de nouveau, c&apos;était autre chose</translation>
+    </message>
+    <message>
+        <source>the scene changed</source>
+        <translation>la scène a changé</translation>
+    </message>
+    <message>
+        <source>lines evenly apart, as of a shelf</source>
+        <translation>lignes régulières, comme d&apos;une étagère</translation>
+    </message>
+    <message>
+        <source>too few step edges</source>
+        <translation>trop peu d&apos;arêtes de marches</translation>
+    </message>
+    <message>
+        <source>lines, but no steps</source>
+        <translation>des lignes, mais pas de marches</translation>
+    </message>
+    <message>
+        <source>lines apart as of floor tiles</source>
+        <translation>lignes écartées comme d&apos;un carrelage</translation>
+    </message>
+    <message>
+        <source>pictures too far apart to follow it</source>
+        <translation>images trop espacées pour le suivre</translation>
+    </message>
+    <message>
+        <source>a grid, as of tiles or windows</source>
+        <translation>une grille, comme de carreaux ou de fenêtres</translation>
+    </message>
+    <message>
+        <source>too high for steps</source>
+        <translation>trop haut pour un escalier</translation>
+    </message>
+    <message>
+        <source>impossible size</source>
+        <translation>taille impossible</translation>
+    </message>
+    <message>
+        <source>does not move as one thing</source>
+        <translation>ne bouge pas d&apos;un seul tenant</translation>
+    </message>
+    <message>
+        <source>its sides go on above it</source>
+        <translation>ses côtés continuent au-dessus</translation>
+    </message>
+    <message>
+        <source>of a kind that is not looked for</source>
+        <translation>d&apos;un type qui n&apos;est pas cherché</translation>
+    </message>
+    <message>
+        <source>told by its trained look instead</source>
+        <translation>reconnu plutôt par son apparence apprise</translation>
+    </message>
+    <message>
+        <source>left the picture</source>
+        <translation>sorti de l&apos;image</translation>
+    </message>
+    <message>
+        <source>a line goes across it</source>
+        <translation>une ligne le traverse</translation>
+    </message>
+    <message>
+        <source>a line goes up its middle</source>
+        <translation>une ligne monte en son milieu</translation>
+    </message>
+    <message>
+        <source>a stroke rather than a letter</source>
+        <translation>un trait plutôt qu&apos;une lettre</translation>
+    </message>
+    <message>
+        <source>looks different now</source>
+        <translation>a changé d&apos;aspect</translation>
+    </message>
+    <message>
+        <source>a letter was missed</source>
+        <translation>une lettre a échappé</translation>
+    </message>
+    <message>
+        <source>a point was missed</source>
+        <translation>un point a échappé</translation>
+    </message>
+    <message>
+        <source>a space was missed</source>
+        <translation>une espace a échappé</translation>
+    </message>
+    <message>
+        <source>reading not sure</source>
+        <translation>lecture incertaine</translation>
+    </message>
+    <message>
+        <source>too pale</source>
+        <translation>trop pâle</translation>
+    </message>
+    <message>
+        <source>too low for stairs</source>
+        <translation>trop bas pour un escalier</translation>
+    </message>
+    <message>
+        <source>not sure enough</source>
+        <translation>pas assez sûr</translation>
+    </message>
+    <message>
+        <source>seen as in a mirror</source>
+        <translation>vu comme dans un miroir</translation>
+    </message>
+    <message>
+        <source>too narrow</source>
+        <translation>trop étroit</translation>
+    </message>
+    <message>
+        <source>only a small part fits</source>
+        <translation>seule une petite partie concorde</translation>
+    </message>
+    <message>
+        <source>the points fit no outline</source>
+        <translation>les points ne forment aucun contour</translation>
+    </message>
+    <message>
+        <source>no letters</source>
+        <translation>pas de lettres</translation>
+    </message>
+    <message>
+        <source>readings do not agree yet</source>
+        <translation>les lectures ne concordent pas encore</translation>
+    </message>
+    <message>
+        <source>outline without numbers</source>
+        <translation>contour sans chiffres</translation>
+    </message>
+    <message>
+        <source>mostly outside the picture</source>
+        <translation>en grande partie hors de l&apos;image</translation>
+    </message>
+    <message>
+        <source>lost from sight</source>
+        <translation>perdu de vue</translation>
+    </message>
+    <message>
+        <source>seen only once so far</source>
+        <translation>vu une seule fois jusqu&apos;ici</translation>
+    </message>
+    <message>
+        <source>only a sliver</source>
+        <translation>seulement une bande</translation>
+    </message>
+    <message>
+        <source>too few letters</source>
+        <translation>trop peu de lettres</translation>
+    </message>
+    <message>
+        <source>too small</source>
+        <translation>trop petit</translation>
+    </message>
+    <message>
+        <source>not seen again</source>
+        <translation>pas revu</translation>
+    </message>
+    <message>
+        <source>step edges of uneven contrast</source>
+        <translation>arêtes de marches au contraste inégal</translation>
+    </message>
+    <message>
+        <source>step edges unevenly apart</source>
+        <translation>arêtes de marches inégalement espacées</translation>
+    </message>
+    <message>
+        <source>read differently each time</source>
+        <translation>lu différemment à chaque fois</translation>
+    </message>
+    <message>
+        <source>no top of a door frame</source>
+        <translation>pas de haut d&apos;encadrement de porte</translation>
+    </message>
+    <message>
+        <source>wider above than below</source>
+        <translation>plus large en haut qu&apos;en bas</translation>
+    </message>
+    <message>
+        <source>in the way of walking</source>
+        <translation>dans le sens de la marche</translation>
+    </message>
+    <message>
+        <source>on your level</source>
+        <translation>à votre niveau</translation>
+    </message>
+    <message>
+        <source>matching objects</source>
+        <translation>objets concordants</translation>
+    </message>
+    <message>
+        <source>matching objects next door</source>
+        <translation>objets concordants à côté</translation>
+    </message>
+    <message>
+        <source>objects seen</source>
+        <translation>objets vus</translation>
+    </message>
+    <message>
+        <source>share of the likelihood</source>
+        <translation>part de la vraisemblance</translation>
+    </message>
+    <message>
+        <source>could be anywhere</source>
+        <translation>pourrait être n&apos;importe où</translation>
+    </message>
+    <message>
+        <source>evidence against all of this</source>
+        <translation>indices contre tout cela</translation>
     </message>
 </context>
 </TS>

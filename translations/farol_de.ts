@@ -655,6 +655,125 @@ Open a camera, a video or a folder of pictures, then press Play.</source>
     </message>
 </context>
 <context>
+    <name>farol::ui::HelpDialog</name>
+    <message>
+        <source>Help</source>
+        <translation>Hilfe</translation>
+    </message>
+    <message>
+        <source>Chapters</source>
+        <translation>Kapitel</translation>
+    </message>
+    <message>
+        <source>What the help is about</source>
+        <translation>Worum es in der Hilfe geht</translation>
+    </message>
+    <message>
+        <source>Walk page</source>
+        <translation>Seite Begehung</translation>
+    </message>
+    <message>
+        <source>Map page</source>
+        <translation>Seite Karte</translation>
+    </message>
+    <message>
+        <source>Landmarks page</source>
+        <translation>Seite Landmarken</translation>
+    </message>
+    <message>
+        <source>Kiosk</source>
+        <translation>Kiosk</translation>
+    </message>
+    <message>
+        <source>Text of the chapter</source>
+        <translation>Text des Kapitels</translation>
+    </message>
+    <message>
+        <source>Here a map of a building is opened or brought in, looked at, checked and changed. The plan and the table show the same: what is chosen in one is chosen in the other.</source>
+        <translation>Hier wird die Karte eines Gebäudes geöffnet oder übernommen, angesehen, geprüft und geändert. Plan und Tabelle zeigen dasselbe: Was in einem gewählt ist, ist auch im anderen gewählt.</translation>
+    </message>
+    <message>
+        <source>F7 looks for what is wrong with the map and says what to do about each finding.</source>
+        <translation>F7 sucht, was an der Karte nicht stimmt, und sagt zu jedem Befund, was zu tun ist.</translation>
+    </message>
+    <message>
+        <source>Ctrl+U marks places that the landmarks cannot tell apart. A landmark there helps most.</source>
+        <translation>Strg+U markiert Orte, die die Landmarken nicht unterscheiden. Eine Landmarke hilft dort am meisten.</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+L puts a landmark on the plan, Ctrl+Shift+D a door. Drag what is chosen, or move it with Alt and the arrows.</source>
+        <translation>Strg+Umschalt+L setzt eine Landmarke in den Plan, Strg+Umschalt+D eine Tür. Ziehen Sie das Gewählte, oder bewegen Sie es mit Alt und den Pfeilen.</translation>
+    </message>
+    <message>
+        <source>Ctrl+Z takes every step back. Nothing is written until you save with Ctrl+S.</source>
+        <translation>Strg+Z nimmt jeden Schritt zurück. Geschrieben wird erst, wenn Sie mit Strg+S speichern.</translation>
+    </message>
+    <message>
+        <source>Here Farol is taught what it shall know again. Every change is saved by itself and can be taken back with Ctrl+Z; a landmark that is not finished is kept, also when the computer stops.</source>
+        <translation>Hier wird Farol beigebracht, was es wiedererkennen soll. Jede Änderung wird von selbst gespeichert und lässt sich mit Strg+Z zurücknehmen; eine unfertige Landmarke bleibt erhalten, auch wenn der Computer ausgeht.</translation>
+    </message>
+    <message>
+        <source>Ctrl+T teaches a landmark in four steps: what it is, its views, a trial, its place on the map.</source>
+        <translation>Strg+T bringt eine Landmarke in vier Schritten bei: was es ist, ihre Ansichten, eine Probe, ihr Ort auf der Karte.</translation>
+    </message>
+    <message>
+        <source>Take a view from the front, from the left, from the right and from farther away. The coach says what is wrong with a picture and which one comes next. Drag the four corners onto the landmark; by keys, 1 to 4 choose a corner and the arrows move it.</source>
+        <translation>Nehmen Sie eine Ansicht von vorn, von links, von rechts und von weiter weg auf. Der Rat sagt, was an einem Bild nicht stimmt und welches als nächstes kommt. Ziehen Sie die vier Ecken auf die Landmarke; mit Tasten wählen 1 bis 4 eine Ecke, und die Pfeile bewegen sie.</translation>
+    </message>
+    <message>
+        <source>F7 checks the whole library: how well each landmark is found, how far away, how far aside, and which are taken for each other. Merge what is the same, and add views to what is lost.</source>
+        <translation>F7 prüft die ganze Bibliothek: wie gut jede Landmarke gefunden wird, aus welcher Entfernung, von der Seite, und welche verwechselt werden. Legen Sie zusammen, was gleich ist, und ergänzen Sie Ansichten, wo etwas verloren geht.</translation>
+    </message>
+    <message>
+        <source>The kiosk is for a blind user who is alone: “farol --kiosk” fills the screen and says everything. Arrows and Enter choose a destination, letters search, F1 says the keys, Escape goes back.</source>
+        <translation>Der Kiosk ist für einen blinden Benutzer, der allein ist: „farol --kiosk“ füllt den Bildschirm und sagt alles. Pfeile und Eingabe wählen ein Ziel, Buchstaben suchen, F1 sagt die Tasten, Escape geht zurück.</translation>
+    </message>
+    <message>
+        <source>Space repeats, W says where you are, A what is around you, N what comes next, L the whole way. Plus and minus change the speed of the voice. Hold Escape to leave.</source>
+        <translation>Die Leertaste wiederholt, W sagt, wo Sie sind, A, was um Sie herum ist, N, was als Nächstes kommt, L den ganzen Weg. Plus und minus ändern das Tempo der Stimme. Halten Sie Escape gedrückt, um Farol zu verlassen.</translation>
+    </message>
+    <message>
+        <source>Here somebody is guided, and you watch: what the camera sees, the place on the map, what is said, and why.</source>
+        <translation>Hier wird jemand geführt, und Sie sehen zu: was die Kamera sieht, der Ort auf der Karte, was gesagt wird und warum.</translation>
+    </message>
+    <message>
+        <source>Ctrl+O opens the map of the building.</source>
+        <translation>Strg+O öffnet die Karte des Gebäudes.</translation>
+    </message>
+    <message>
+        <source>Ctrl+L opens the landmarks that belong to it.</source>
+        <translation>Strg+L öffnet die Landmarken, die dazugehören.</translation>
+    </message>
+    <message>
+        <source>Ctrl+P chooses a camera, a video or a folder of pictures, and Ctrl+G where to go.</source>
+        <translation>Strg+P wählt eine Kamera, ein Video oder einen Bilderordner, und Strg+G, wohin es geht.</translation>
+    </message>
+    <message>
+        <source>F5 starts and holds the walk, F8 goes on by one picture.</source>
+        <translation>F5 startet die Begehung und hält sie an, F8 geht ein Bild weiter.</translation>
+    </message>
+    <message>
+        <source>When the place shown is not right, choose the right one on the map and press Ctrl+H.</source>
+        <translation>Wenn der gezeigte Ort nicht stimmt, wählen Sie den richtigen auf der Karte und drücken Sie Strg+H.</translation>
+    </message>
+    <message>
+        <source>Ctrl+W gives the place up, so that it is looked for anew.</source>
+        <translation>Strg+W gibt den Ort auf, damit er neu gesucht wird.</translation>
+    </message>
+    <message>
+        <source>Ctrl+E speaks a sentence that you type.</source>
+        <translation>Strg+E spricht einen Satz, den Sie tippen.</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+R records the next walk. A recorded walk can be worked out anew in another way and compared, from the Walk menu.</source>
+        <translation>Strg+Umschalt+R nimmt die nächste Begehung auf. Eine aufgenommene Begehung lässt sich im Menü Begehung auf andere Weise neu berechnen und vergleichen.</translation>
+    </message>
+    <message>
+        <source>The timeline at the bottom looks back: drag it, or use the arrow keys. “Why there” explains the vote of the place that is chosen in the list.</source>
+        <translation>Die Zeitleiste unten schaut zurück: Ziehen Sie sie, oder benutzen Sie die Pfeile. „Warum dort“ erklärt die Stimme für den Ort, der in der Liste gewählt ist.</translation>
+    </message>
+</context>
+<context>
     <name>farol::ui::HistoryModel</name>
     <message>
         <source>What</source>
@@ -2057,6 +2176,14 @@ Führt einen blinden Menschen mit einer gewöhnlichen Kamera durch ein Gebäude:
         <source>Tables (%1)</source>
         <translation>Tabellen (%1)</translation>
     </message>
+    <message>
+        <source>Open as &amp;map</source>
+        <translation>Als &amp;Karte öffnen</translation>
+    </message>
+    <message>
+        <source>Open as landmark &amp;library</source>
+        <translation>Als Landmarken&amp;bibliothek öffnen</translation>
+    </message>
 </context>
 <context>
     <name>farol::ui::MapActions</name>
@@ -2529,6 +2656,124 @@ Führt einen blinden Menschen mit einer gewöhnlichen Kamera durch ein Gebäude:
 Open one with Ctrl+O.</source>
         <translation>Es ist keine Karte geöffnet.
 Öffnen Sie eine mit Strg+O.</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::OptionFields</name>
+    <message>
+        <source>Announce what comes within</source>
+        <translation>Ankündigen, was näher ist als</translation>
+    </message>
+    <message>
+        <source>Say “now” within</source>
+        <translation>„Jetzt“ sagen, wenn es näher ist als</translation>
+    </message>
+    <message>
+        <source>Reassure every</source>
+        <translation>Bestätigen alle</translation>
+    </message>
+    <message>
+        <source>Reassure, where no distance is known, every</source>
+        <translation>Bestätigen, wo keine Entfernung bekannt ist, alle</translation>
+    </message>
+    <message>
+        <source>Repeat an instruction after</source>
+        <translation>Eine Anweisung wiederholen nach</translation>
+    </message>
+    <message>
+        <source>Tell an object again after</source>
+        <translation>Einen Gegenstand wieder nennen nach</translation>
+    </message>
+    <message>
+        <source>Say that the place is not known after</source>
+        <translation>Sagen, dass der Ort nicht bekannt ist, nach</translation>
+    </message>
+    <message>
+        <source>Say again that the route was left after</source>
+        <translation>Wieder sagen, dass der Weg verlassen ist, nach</translation>
+    </message>
+    <message>
+        <source>Avoid stairs</source>
+        <translation>Treppen vermeiden</translation>
+    </message>
+    <message>
+        <source>Avoid lifts</source>
+        <translation>Aufzüge vermeiden</translation>
+    </message>
+    <message>
+        <source>Avoid escalators</source>
+        <translation>Rolltreppen vermeiden</translation>
+    </message>
+    <message>
+        <source>Avoid moving walkways</source>
+        <translation>Rollsteige vermeiden</translation>
+    </message>
+    <message>
+        <source>Avoid ramps</source>
+        <translation>Rampen vermeiden</translation>
+    </message>
+    <message>
+        <source>Avoid narrow doors</source>
+        <translation>Schmale Türen vermeiden</translation>
+    </message>
+    <message>
+        <source>Avoid restricted places</source>
+        <translation>Eingeschränkte Orte vermeiden</translation>
+    </message>
+    <message>
+        <source>Walking speed</source>
+        <translation>Gehgeschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Time to find and pass a door</source>
+        <translation>Zeit, eine Tür zu finden und zu durchqueren</translation>
+    </message>
+    <message>
+        <source>Time for the stairs of a level</source>
+        <translation>Zeit für die Treppe einer Ebene</translation>
+    </message>
+    <message>
+        <source>Time to wait for a lift and ride it</source>
+        <translation>Zeit, auf einen Aufzug zu warten und zu fahren</translation>
+    </message>
+    <message>
+        <source>Points that must fit an object</source>
+        <translation>Punkte, die zu einem Gegenstand passen müssen</translation>
+    </message>
+    <message>
+        <source>Evidence that an object needs</source>
+        <translation>Hinweise, die ein Gegenstand braucht</translation>
+    </message>
+    <message>
+        <source>Points that must fit a known place</source>
+        <translation>Punkte, die zu einem bekannten Ort passen müssen</translation>
+    </message>
+    <message>
+        <source>Sharpness that a picture needs</source>
+        <translation>Schärfe, die ein Bild braucht</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::OptionForm</name>
+    <message>
+        <source>&amp;Defaults</source>
+        <translation>&amp;Vorgaben</translation>
+    </message>
+    <message>
+        <source>Defaults</source>
+        <translation>Vorgaben</translation>
+    </message>
+    <message>
+        <source>Take every figure of this page back to what the program has</source>
+        <translation>Alle Werte dieser Seite auf die des Programms zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Usually %1</source>
+        <translation>Üblich: %1</translation>
+    </message>
+    <message>
+        <source>%1:</source>
+        <translation>%1:</translation>
     </message>
 </context>
 <context>
@@ -3903,6 +4148,37 @@ Open one with Ctrl+O.</source>
     </message>
 </context>
 <context>
+    <name>farol::ui::ProfileMenu</name>
+    <message>
+        <source>Usual</source>
+        <translation>Üblich</translation>
+    </message>
+    <message>
+        <source>Use the settings of %1</source>
+        <translation>Die Einstellungen von %1 verwenden</translation>
+    </message>
+    <message>
+        <source>&amp;New user…</source>
+        <translation>&amp;Neuer Benutzer…</translation>
+    </message>
+    <message>
+        <source>New user</source>
+        <translation>Neuer Benutzer</translation>
+    </message>
+    <message>
+        <source>Name; the new user begins with the settings as they are now:</source>
+        <translation>Name; der neue Benutzer beginnt mit den jetzigen Einstellungen:</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be used as a name: it must not hold a slash.</source>
+        <translation>„%1“ geht nicht als Name: Er darf keinen Schrägstrich enthalten.</translation>
+    </message>
+    <message>
+        <source>&amp;User</source>
+        <translation>Ben&amp;utzer</translation>
+    </message>
+</context>
+<context>
     <name>farol::ui::RegionDialog</name>
     <message>
         <source>Region %1</source>
@@ -5064,6 +5340,82 @@ Open one with Ctrl+O.</source>
     <message>
         <source>&amp;Recordings:</source>
         <translation>&amp;Aufnahmen:</translation>
+    </message>
+    <message>
+        <source>Pages of the settings</source>
+        <translation>Seiten der Einstellungen</translation>
+    </message>
+    <message>
+        <source>General</source>
+        <translation>Allgemein</translation>
+    </message>
+    <message>
+        <source>Guidance</source>
+        <translation>Führung</translation>
+    </message>
+    <message>
+        <source>When something is said. From the next start of a walk.</source>
+        <translation>Wann etwas gesagt wird. Ab dem nächsten Start einer Begehung.</translation>
+    </message>
+    <message>
+        <source>Routes</source>
+        <translation>Wege</translation>
+    </message>
+    <message>
+        <source>Which way is chosen. From the next start of a walk.</source>
+        <translation>Welcher Weg gewählt wird. Ab dem nächsten Start einer Begehung.</translation>
+    </message>
+    <message>
+        <source>Recognition</source>
+        <translation>Erkennung</translation>
+    </message>
+    <message>
+        <source>How sure a landmark must be before it counts. Lower figures find more, and more that is wrong: leave them unless you can check. From the next start of a walk.</source>
+        <translation>Wie sicher eine Landmarke sein muss, damit sie zählt. Niedrigere Werte finden mehr, auch mehr Falsches: Lassen Sie sie, wenn Sie es nicht prüfen können. Ab dem nächsten Start einer Begehung.</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Hell</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Dunkel</translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation>Farben</translation>
+    </message>
+    <message>
+        <source>Light or dark windows</source>
+        <translation>Helle oder dunkle Fenster</translation>
+    </message>
+    <message>
+        <source>&amp;Colours:</source>
+        <translation>&amp;Farben:</translation>
+    </message>
+    <message>
+        <source>Metres</source>
+        <translation>Meter</translation>
+    </message>
+    <message>
+        <source>Feet</source>
+        <translation>Fuß</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Schritte</translation>
+    </message>
+    <message>
+        <source>Distances</source>
+        <translation>Entfernungen</translation>
+    </message>
+    <message>
+        <source>How distances are told</source>
+        <translation>Wie Entfernungen gesagt werden</translation>
+    </message>
+    <message>
+        <source>Dis&amp;tances:</source>
+        <translation>E&amp;ntfernungen:</translation>
     </message>
 </context>
 <context>
@@ -6305,6 +6657,53 @@ Schalten Sie die Kamera ein, oder wählen Sie Bilder oder eine Aufnahme.</transl
     </message>
 </context>
 <context>
+    <name>farol::ui::WelcomeDialog</name>
+    <message>
+        <source>Welcome to Farol</source>
+        <translation>Willkommen bei Farol</translation>
+    </message>
+    <message>
+        <source>Farol guides a blind person through a building with one camera. It needs a map of the building, and landmarks that it was taught. What do you want to do?</source>
+        <translation>Farol führt einen blinden Menschen mit einer Kamera durch ein Gebäude. Es braucht eine Karte des Gebäudes und Landmarken, die ihm beigebracht wurden. Was möchten Sie tun?</translation>
+    </message>
+    <message>
+        <source>&amp;Guide somebody</source>
+        <translation>&amp;Jemanden führen</translation>
+    </message>
+    <message>
+        <source>Open a map and a camera, and choose where to go</source>
+        <translation>Eine Karte und eine Kamera öffnen und wählen, wohin es geht</translation>
+    </message>
+    <message>
+        <source>Work on a &amp;map</source>
+        <translation>An einer &amp;Karte arbeiten</translation>
+    </message>
+    <message>
+        <source>Bring in a floor plan, check it, and put landmarks on it</source>
+        <translation>Einen Grundriss übernehmen, prüfen und Landmarken daraufsetzen</translation>
+    </message>
+    <message>
+        <source>Teach &amp;landmarks</source>
+        <translation>&amp;Landmarken beibringen</translation>
+    </message>
+    <message>
+        <source>Photograph what Farol shall know again</source>
+        <translation>Fotografieren, was Farol wiedererkennen soll</translation>
+    </message>
+    <message>
+        <source>Read the &amp;help</source>
+        <translation>Die &amp;Hilfe lesen</translation>
+    </message>
+    <message>
+        <source>What each page is for, and its keys; F1 at any time</source>
+        <translation>Wozu jede Seite dient, und ihre Tasten; F1 jederzeit</translation>
+    </message>
+    <message>
+        <source>For a blind user who is alone, start “farol --kiosk”: full screen, by keys and speech.</source>
+        <translation>Für einen blinden Benutzer, der allein ist, starten Sie „farol --kiosk“: ganzer Bildschirm, mit Tasten und Sprache.</translation>
+    </message>
+</context>
+<context>
     <name>farol::ui::WindowActions</name>
     <message>
         <source>&amp;File</source>
@@ -6789,6 +7188,26 @@ Schalten Sie die Kamera ein, oder wählen Sie Bilder oder eine Aufnahme.</transl
     <message>
         <source>Save times, places and sentences of this walk for a spreadsheet</source>
         <translation>Zeiten, Orte und Sätze dieser Begehung für eine Tabellenkalkulation speichern</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Hilfe</translation>
+    </message>
+    <message>
+        <source>How the page that is shown is used</source>
+        <translation>Wie die gezeigte Seite benutzt wird</translation>
+    </message>
+    <message>
+        <source>&amp;Welcome</source>
+        <translation>&amp;Willkommen</translation>
+    </message>
+    <message>
+        <source>Welcome</source>
+        <translation>Willkommen</translation>
+    </message>
+    <message>
+        <source>The page of the first start</source>
+        <translation>Die Seite des ersten Starts</translation>
     </message>
 </context>
 <context>

@@ -655,6 +655,125 @@ Abra una cámara, un vídeo o una carpeta de imágenes y pulse Reproducir.</tran
     </message>
 </context>
 <context>
+    <name>farol::ui::HelpDialog</name>
+    <message>
+        <source>Help</source>
+        <translation>Ayuda</translation>
+    </message>
+    <message>
+        <source>Chapters</source>
+        <translation>Capítulos</translation>
+    </message>
+    <message>
+        <source>What the help is about</source>
+        <translation>De qué trata la ayuda</translation>
+    </message>
+    <message>
+        <source>Walk page</source>
+        <translation>Página Recorrido</translation>
+    </message>
+    <message>
+        <source>Map page</source>
+        <translation>Página Mapa</translation>
+    </message>
+    <message>
+        <source>Landmarks page</source>
+        <translation>Página Puntos de referencia</translation>
+    </message>
+    <message>
+        <source>Kiosk</source>
+        <translation>Quiosco</translation>
+    </message>
+    <message>
+        <source>Text of the chapter</source>
+        <translation>Texto del capítulo</translation>
+    </message>
+    <message>
+        <source>Here a map of a building is opened or brought in, looked at, checked and changed. The plan and the table show the same: what is chosen in one is chosen in the other.</source>
+        <translation>Aquí se abre o se importa el mapa de un edificio, se mira, se comprueba y se cambia. El plano y la tabla muestran lo mismo: lo elegido en uno está elegido en la otra.</translation>
+    </message>
+    <message>
+        <source>F7 looks for what is wrong with the map and says what to do about each finding.</source>
+        <translation>F7 busca qué está mal en el mapa y dice qué hacer con cada hallazgo.</translation>
+    </message>
+    <message>
+        <source>Ctrl+U marks places that the landmarks cannot tell apart. A landmark there helps most.</source>
+        <translation>Ctrl+U marca los lugares que los puntos de referencia no distinguen. Allí es donde más ayuda uno.</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+L puts a landmark on the plan, Ctrl+Shift+D a door. Drag what is chosen, or move it with Alt and the arrows.</source>
+        <translation>Ctrl+Mayús+L pone un punto de referencia en el plano, Ctrl+Mayús+D una puerta. Arrastre lo elegido, o muévalo con Alt y las flechas.</translation>
+    </message>
+    <message>
+        <source>Ctrl+Z takes every step back. Nothing is written until you save with Ctrl+S.</source>
+        <translation>Ctrl+Z retira cada paso. No se escribe nada hasta que guarde con Ctrl+S.</translation>
+    </message>
+    <message>
+        <source>Here Farol is taught what it shall know again. Every change is saved by itself and can be taken back with Ctrl+Z; a landmark that is not finished is kept, also when the computer stops.</source>
+        <translation>Aquí se enseña a Farol lo que debe reconocer. Cada cambio se guarda solo y se puede retirar con Ctrl+Z; un punto de referencia sin terminar se conserva, también si el ordenador se apaga.</translation>
+    </message>
+    <message>
+        <source>Ctrl+T teaches a landmark in four steps: what it is, its views, a trial, its place on the map.</source>
+        <translation>Ctrl+T enseña un punto de referencia en cuatro pasos: qué es, sus vistas, una prueba, su lugar en el mapa.</translation>
+    </message>
+    <message>
+        <source>Take a view from the front, from the left, from the right and from farther away. The coach says what is wrong with a picture and which one comes next. Drag the four corners onto the landmark; by keys, 1 to 4 choose a corner and the arrows move it.</source>
+        <translation>Tome una vista de frente, desde la izquierda, desde la derecha y desde más lejos. El consejo dice qué falla en una imagen y cuál viene después. Arrastre las cuatro esquinas al punto de referencia; con teclas, 1 a 4 eligen una esquina y las flechas la mueven.</translation>
+    </message>
+    <message>
+        <source>F7 checks the whole library: how well each landmark is found, how far away, how far aside, and which are taken for each other. Merge what is the same, and add views to what is lost.</source>
+        <translation>F7 comprueba toda la biblioteca: qué tal se encuentra cada punto de referencia, a qué distancia, de lado, y cuáles se confunden. Una lo que es igual y añada vistas a lo que se pierde.</translation>
+    </message>
+    <message>
+        <source>The kiosk is for a blind user who is alone: “farol --kiosk” fills the screen and says everything. Arrows and Enter choose a destination, letters search, F1 says the keys, Escape goes back.</source>
+        <translation>El quiosco es para un usuario ciego que está solo: “farol --kiosk” llena la pantalla y lo dice todo. Flechas e Intro eligen un destino, las letras buscan, F1 dice las teclas, Escape vuelve.</translation>
+    </message>
+    <message>
+        <source>Space repeats, W says where you are, A what is around you, N what comes next, L the whole way. Plus and minus change the speed of the voice. Hold Escape to leave.</source>
+        <translation>Espacio repite, W dice dónde está, A qué hay alrededor, N qué viene después, L todo el camino. Más y menos cambian la velocidad de la voz. Mantenga pulsado Escape para salir.</translation>
+    </message>
+    <message>
+        <source>Here somebody is guided, and you watch: what the camera sees, the place on the map, what is said, and why.</source>
+        <translation>Aquí se guía a alguien y usted observa: qué ve la cámara, el lugar en el mapa, qué se dice y por qué.</translation>
+    </message>
+    <message>
+        <source>Ctrl+O opens the map of the building.</source>
+        <translation>Ctrl+O abre el mapa del edificio.</translation>
+    </message>
+    <message>
+        <source>Ctrl+L opens the landmarks that belong to it.</source>
+        <translation>Ctrl+L abre los puntos de referencia que le corresponden.</translation>
+    </message>
+    <message>
+        <source>Ctrl+P chooses a camera, a video or a folder of pictures, and Ctrl+G where to go.</source>
+        <translation>Ctrl+P elige una cámara, un vídeo o una carpeta de imágenes, y Ctrl+G adónde ir.</translation>
+    </message>
+    <message>
+        <source>F5 starts and holds the walk, F8 goes on by one picture.</source>
+        <translation>F5 inicia y detiene el recorrido, F8 avanza una imagen.</translation>
+    </message>
+    <message>
+        <source>When the place shown is not right, choose the right one on the map and press Ctrl+H.</source>
+        <translation>Si el lugar mostrado no es correcto, elija el correcto en el mapa y pulse Ctrl+H.</translation>
+    </message>
+    <message>
+        <source>Ctrl+W gives the place up, so that it is looked for anew.</source>
+        <translation>Ctrl+W renuncia al lugar, para que se busque de nuevo.</translation>
+    </message>
+    <message>
+        <source>Ctrl+E speaks a sentence that you type.</source>
+        <translation>Ctrl+E dice una frase que usted escribe.</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+R records the next walk. A recorded walk can be worked out anew in another way and compared, from the Walk menu.</source>
+        <translation>Ctrl+Mayús+R graba el próximo recorrido. Un recorrido grabado se puede calcular de nuevo de otro modo y comparar, desde el menú Recorrido.</translation>
+    </message>
+    <message>
+        <source>The timeline at the bottom looks back: drag it, or use the arrow keys. “Why there” explains the vote of the place that is chosen in the list.</source>
+        <translation>La línea de tiempo de abajo mira atrás: arrástrela o use las flechas. “Por qué allí” explica el voto del lugar elegido en la lista.</translation>
+    </message>
+</context>
+<context>
     <name>farol::ui::HistoryModel</name>
     <message>
         <source>What</source>
@@ -2057,6 +2176,14 @@ Guía a una persona ciega por un edificio con una cámara corriente: reconoce lo
         <source>Tables (%1)</source>
         <translation>Tablas (%1)</translation>
     </message>
+    <message>
+        <source>Open as &amp;map</source>
+        <translation>Abrir como &amp;mapa</translation>
+    </message>
+    <message>
+        <source>Open as landmark &amp;library</source>
+        <translation>Abrir como &amp;biblioteca de puntos de referencia</translation>
+    </message>
 </context>
 <context>
     <name>farol::ui::MapActions</name>
@@ -2529,6 +2656,124 @@ Guía a una persona ciega por un edificio con una cámara corriente: reconoce lo
 Open one with Ctrl+O.</source>
         <translation>No hay ningún mapa abierto.
 Abra uno con Ctrl+O.</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::OptionFields</name>
+    <message>
+        <source>Announce what comes within</source>
+        <translation>Anunciar lo que viene a menos de</translation>
+    </message>
+    <message>
+        <source>Say “now” within</source>
+        <translation>Decir “ahora” a menos de</translation>
+    </message>
+    <message>
+        <source>Reassure every</source>
+        <translation>Confirmar cada</translation>
+    </message>
+    <message>
+        <source>Reassure, where no distance is known, every</source>
+        <translation>Confirmar, donde no se conoce distancia, cada</translation>
+    </message>
+    <message>
+        <source>Repeat an instruction after</source>
+        <translation>Repetir una instrucción después de</translation>
+    </message>
+    <message>
+        <source>Tell an object again after</source>
+        <translation>Volver a decir un objeto después de</translation>
+    </message>
+    <message>
+        <source>Say that the place is not known after</source>
+        <translation>Decir que el lugar no se conoce después de</translation>
+    </message>
+    <message>
+        <source>Say again that the route was left after</source>
+        <translation>Volver a decir que se dejó la ruta después de</translation>
+    </message>
+    <message>
+        <source>Avoid stairs</source>
+        <translation>Evitar escaleras</translation>
+    </message>
+    <message>
+        <source>Avoid lifts</source>
+        <translation>Evitar ascensores</translation>
+    </message>
+    <message>
+        <source>Avoid escalators</source>
+        <translation>Evitar escaleras mecánicas</translation>
+    </message>
+    <message>
+        <source>Avoid moving walkways</source>
+        <translation>Evitar pasillos rodantes</translation>
+    </message>
+    <message>
+        <source>Avoid ramps</source>
+        <translation>Evitar rampas</translation>
+    </message>
+    <message>
+        <source>Avoid narrow doors</source>
+        <translation>Evitar puertas estrechas</translation>
+    </message>
+    <message>
+        <source>Avoid restricted places</source>
+        <translation>Evitar lugares restringidos</translation>
+    </message>
+    <message>
+        <source>Walking speed</source>
+        <translation>Velocidad al caminar</translation>
+    </message>
+    <message>
+        <source>Time to find and pass a door</source>
+        <translation>Tiempo para encontrar y pasar una puerta</translation>
+    </message>
+    <message>
+        <source>Time for the stairs of a level</source>
+        <translation>Tiempo para las escaleras de una planta</translation>
+    </message>
+    <message>
+        <source>Time to wait for a lift and ride it</source>
+        <translation>Tiempo para esperar un ascensor y usarlo</translation>
+    </message>
+    <message>
+        <source>Points that must fit an object</source>
+        <translation>Puntos que deben encajar en un objeto</translation>
+    </message>
+    <message>
+        <source>Evidence that an object needs</source>
+        <translation>Indicios que necesita un objeto</translation>
+    </message>
+    <message>
+        <source>Points that must fit a known place</source>
+        <translation>Puntos que deben encajar en un lugar conocido</translation>
+    </message>
+    <message>
+        <source>Sharpness that a picture needs</source>
+        <translation>Nitidez que necesita una imagen</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::OptionForm</name>
+    <message>
+        <source>&amp;Defaults</source>
+        <translation>&amp;Valores iniciales</translation>
+    </message>
+    <message>
+        <source>Defaults</source>
+        <translation>Valores iniciales</translation>
+    </message>
+    <message>
+        <source>Take every figure of this page back to what the program has</source>
+        <translation>Devolver todos los valores de esta página a los del programa</translation>
+    </message>
+    <message>
+        <source>Usually %1</source>
+        <translation>Normalmente %1</translation>
+    </message>
+    <message>
+        <source>%1:</source>
+        <translation>%1:</translation>
     </message>
 </context>
 <context>
@@ -3903,6 +4148,37 @@ Abra uno con Ctrl+O.</translation>
     </message>
 </context>
 <context>
+    <name>farol::ui::ProfileMenu</name>
+    <message>
+        <source>Usual</source>
+        <translation>Habitual</translation>
+    </message>
+    <message>
+        <source>Use the settings of %1</source>
+        <translation>Usar los ajustes de %1</translation>
+    </message>
+    <message>
+        <source>&amp;New user…</source>
+        <translation>&amp;Nuevo usuario…</translation>
+    </message>
+    <message>
+        <source>New user</source>
+        <translation>Nuevo usuario</translation>
+    </message>
+    <message>
+        <source>Name; the new user begins with the settings as they are now:</source>
+        <translation>Nombre; el nuevo usuario empieza con los ajustes tal como están:</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be used as a name: it must not hold a slash.</source>
+        <translation>“%1” no sirve como nombre: no puede contener una barra.</translation>
+    </message>
+    <message>
+        <source>&amp;User</source>
+        <translation>&amp;Usuario</translation>
+    </message>
+</context>
+<context>
     <name>farol::ui::RegionDialog</name>
     <message>
         <source>Region %1</source>
@@ -5064,6 +5340,82 @@ Abra uno con Ctrl+O.</translation>
     <message>
         <source>&amp;Recordings:</source>
         <translation>&amp;Grabaciones:</translation>
+    </message>
+    <message>
+        <source>Pages of the settings</source>
+        <translation>Páginas de los ajustes</translation>
+    </message>
+    <message>
+        <source>General</source>
+        <translation>General</translation>
+    </message>
+    <message>
+        <source>Guidance</source>
+        <translation>Guía</translation>
+    </message>
+    <message>
+        <source>When something is said. From the next start of a walk.</source>
+        <translation>Cuándo se dice algo. Desde el próximo inicio de un recorrido.</translation>
+    </message>
+    <message>
+        <source>Routes</source>
+        <translation>Rutas</translation>
+    </message>
+    <message>
+        <source>Which way is chosen. From the next start of a walk.</source>
+        <translation>Qué camino se elige. Desde el próximo inicio de un recorrido.</translation>
+    </message>
+    <message>
+        <source>Recognition</source>
+        <translation>Reconocimiento</translation>
+    </message>
+    <message>
+        <source>How sure a landmark must be before it counts. Lower figures find more, and more that is wrong: leave them unless you can check. From the next start of a walk.</source>
+        <translation>Cuán seguro debe ser un punto de referencia para que cuente. Valores más bajos encuentran más, y más errores: déjelos salvo que pueda comprobarlos. Desde el próximo inicio de un recorrido.</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Claro</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Oscuro</translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation>Colores</translation>
+    </message>
+    <message>
+        <source>Light or dark windows</source>
+        <translation>Ventanas claras u oscuras</translation>
+    </message>
+    <message>
+        <source>&amp;Colours:</source>
+        <translation>&amp;Colores:</translation>
+    </message>
+    <message>
+        <source>Metres</source>
+        <translation>Metros</translation>
+    </message>
+    <message>
+        <source>Feet</source>
+        <translation>Pies</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Pasos</translation>
+    </message>
+    <message>
+        <source>Distances</source>
+        <translation>Distancias</translation>
+    </message>
+    <message>
+        <source>How distances are told</source>
+        <translation>Cómo se dicen las distancias</translation>
+    </message>
+    <message>
+        <source>Dis&amp;tances:</source>
+        <translation>Dis&amp;tancias:</translation>
     </message>
 </context>
 <context>
@@ -6305,6 +6657,53 @@ Encienda la cámara, o elija imágenes o una grabación.</translation>
     </message>
 </context>
 <context>
+    <name>farol::ui::WelcomeDialog</name>
+    <message>
+        <source>Welcome to Farol</source>
+        <translation>Bienvenido a Farol</translation>
+    </message>
+    <message>
+        <source>Farol guides a blind person through a building with one camera. It needs a map of the building, and landmarks that it was taught. What do you want to do?</source>
+        <translation>Farol guía a una persona ciega por un edificio con una cámara. Necesita un mapa del edificio y puntos de referencia que se le hayan enseñado. ¿Qué quiere hacer?</translation>
+    </message>
+    <message>
+        <source>&amp;Guide somebody</source>
+        <translation>&amp;Guiar a alguien</translation>
+    </message>
+    <message>
+        <source>Open a map and a camera, and choose where to go</source>
+        <translation>Abrir un mapa y una cámara, y elegir adónde ir</translation>
+    </message>
+    <message>
+        <source>Work on a &amp;map</source>
+        <translation>Trabajar en un &amp;mapa</translation>
+    </message>
+    <message>
+        <source>Bring in a floor plan, check it, and put landmarks on it</source>
+        <translation>Traer un plano, comprobarlo y ponerle puntos de referencia</translation>
+    </message>
+    <message>
+        <source>Teach &amp;landmarks</source>
+        <translation>Enseñar &amp;puntos de referencia</translation>
+    </message>
+    <message>
+        <source>Photograph what Farol shall know again</source>
+        <translation>Fotografiar lo que Farol debe reconocer</translation>
+    </message>
+    <message>
+        <source>Read the &amp;help</source>
+        <translation>Leer la a&amp;yuda</translation>
+    </message>
+    <message>
+        <source>What each page is for, and its keys; F1 at any time</source>
+        <translation>Para qué es cada página y sus teclas; F1 en cualquier momento</translation>
+    </message>
+    <message>
+        <source>For a blind user who is alone, start “farol --kiosk”: full screen, by keys and speech.</source>
+        <translation>Para un usuario ciego que está solo, inicie “farol --kiosk”: pantalla completa, con teclas y voz.</translation>
+    </message>
+</context>
+<context>
     <name>farol::ui::WindowActions</name>
     <message>
         <source>&amp;File</source>
@@ -6789,6 +7188,26 @@ Encienda la cámara, o elija imágenes o una grabación.</translation>
     <message>
         <source>Save times, places and sentences of this walk for a spreadsheet</source>
         <translation>Guardar horas, lugares y frases de este recorrido para una hoja de cálculo</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Ayuda</translation>
+    </message>
+    <message>
+        <source>How the page that is shown is used</source>
+        <translation>Cómo se usa la página que se muestra</translation>
+    </message>
+    <message>
+        <source>&amp;Welcome</source>
+        <translation>&amp;Bienvenida</translation>
+    </message>
+    <message>
+        <source>Welcome</source>
+        <translation>Bienvenida</translation>
+    </message>
+    <message>
+        <source>The page of the first start</source>
+        <translation>La página del primer inicio</translation>
     </message>
 </context>
 <context>

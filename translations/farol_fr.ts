@@ -655,6 +655,125 @@ Ouvrez une caméra, une vidéo ou un dossier d&apos;images, puis appuyez sur Lec
     </message>
 </context>
 <context>
+    <name>farol::ui::HelpDialog</name>
+    <message>
+        <source>Help</source>
+        <translation>Aide</translation>
+    </message>
+    <message>
+        <source>Chapters</source>
+        <translation>Chapitres</translation>
+    </message>
+    <message>
+        <source>What the help is about</source>
+        <translation>De quoi parle l&apos;aide</translation>
+    </message>
+    <message>
+        <source>Walk page</source>
+        <translation>Page Parcours</translation>
+    </message>
+    <message>
+        <source>Map page</source>
+        <translation>Page Carte</translation>
+    </message>
+    <message>
+        <source>Landmarks page</source>
+        <translation>Page Repères</translation>
+    </message>
+    <message>
+        <source>Kiosk</source>
+        <translation>Borne</translation>
+    </message>
+    <message>
+        <source>Text of the chapter</source>
+        <translation>Texte du chapitre</translation>
+    </message>
+    <message>
+        <source>Here a map of a building is opened or brought in, looked at, checked and changed. The plan and the table show the same: what is chosen in one is chosen in the other.</source>
+        <translation>Ici, on ouvre ou importe la carte d&apos;un bâtiment, on la regarde, la vérifie et la modifie. Le plan et le tableau montrent la même chose : ce qui est choisi dans l&apos;un l&apos;est dans l&apos;autre.</translation>
+    </message>
+    <message>
+        <source>F7 looks for what is wrong with the map and says what to do about each finding.</source>
+        <translation>F7 cherche ce qui ne va pas dans la carte et dit que faire de chaque constat.</translation>
+    </message>
+    <message>
+        <source>Ctrl+U marks places that the landmarks cannot tell apart. A landmark there helps most.</source>
+        <translation>Ctrl+U marque les lieux que les repères ne distinguent pas. C&apos;est là qu&apos;un repère aide le plus.</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+L puts a landmark on the plan, Ctrl+Shift+D a door. Drag what is chosen, or move it with Alt and the arrows.</source>
+        <translation>Ctrl+Maj+L place un repère sur le plan, Ctrl+Maj+D une porte. Glissez la sélection, ou déplacez-la avec Alt et les flèches.</translation>
+    </message>
+    <message>
+        <source>Ctrl+Z takes every step back. Nothing is written until you save with Ctrl+S.</source>
+        <translation>Ctrl+Z annule chaque étape. Rien n&apos;est écrit avant l&apos;enregistrement par Ctrl+S.</translation>
+    </message>
+    <message>
+        <source>Here Farol is taught what it shall know again. Every change is saved by itself and can be taken back with Ctrl+Z; a landmark that is not finished is kept, also when the computer stops.</source>
+        <translation>Ici, on apprend à Farol ce qu&apos;il doit reconnaître. Chaque modification s&apos;enregistre d&apos;elle-même et s&apos;annule par Ctrl+Z ; un repère inachevé est gardé, même si l&apos;ordinateur s&apos;arrête.</translation>
+    </message>
+    <message>
+        <source>Ctrl+T teaches a landmark in four steps: what it is, its views, a trial, its place on the map.</source>
+        <translation>Ctrl+T apprend un repère en quatre étapes : ce que c&apos;est, ses vues, un essai, son emplacement sur la carte.</translation>
+    </message>
+    <message>
+        <source>Take a view from the front, from the left, from the right and from farther away. The coach says what is wrong with a picture and which one comes next. Drag the four corners onto the landmark; by keys, 1 to 4 choose a corner and the arrows move it.</source>
+        <translation>Prenez une vue de face, de la gauche, de la droite et de plus loin. Le conseil dit ce qui ne va pas dans une image et laquelle vient ensuite. Glissez les quatre coins sur le repère ; au clavier, 1 à 4 choisissent un coin et les flèches le déplacent.</translation>
+    </message>
+    <message>
+        <source>F7 checks the whole library: how well each landmark is found, how far away, how far aside, and which are taken for each other. Merge what is the same, and add views to what is lost.</source>
+        <translation>F7 vérifie toute la bibliothèque : si chaque repère est bien trouvé, de quelle distance, de quel côté, et lesquels sont confondus. Fusionnez ce qui est pareil, et ajoutez des vues à ce qui est perdu.</translation>
+    </message>
+    <message>
+        <source>The kiosk is for a blind user who is alone: “farol --kiosk” fills the screen and says everything. Arrows and Enter choose a destination, letters search, F1 says the keys, Escape goes back.</source>
+        <translation>La borne est pour un utilisateur aveugle et seul : « farol --kiosk » remplit l&apos;écran et dit tout. Flèches et Entrée choisissent une destination, les lettres cherchent, F1 dit les touches, Échap revient.</translation>
+    </message>
+    <message>
+        <source>Space repeats, W says where you are, A what is around you, N what comes next, L the whole way. Plus and minus change the speed of the voice. Hold Escape to leave.</source>
+        <translation>Espace répète, W dit où vous êtes, A ce qui vous entoure, N ce qui vient ensuite, L tout le chemin. Plus et moins changent la vitesse de la voix. Maintenez Échap pour quitter.</translation>
+    </message>
+    <message>
+        <source>Here somebody is guided, and you watch: what the camera sees, the place on the map, what is said, and why.</source>
+        <translation>Ici, quelqu&apos;un est guidé et vous suivez : ce que voit la caméra, le lieu sur la carte, ce qui est dit, et pourquoi.</translation>
+    </message>
+    <message>
+        <source>Ctrl+O opens the map of the building.</source>
+        <translation>Ctrl+O ouvre la carte du bâtiment.</translation>
+    </message>
+    <message>
+        <source>Ctrl+L opens the landmarks that belong to it.</source>
+        <translation>Ctrl+L ouvre les repères qui vont avec.</translation>
+    </message>
+    <message>
+        <source>Ctrl+P chooses a camera, a video or a folder of pictures, and Ctrl+G where to go.</source>
+        <translation>Ctrl+P choisit une caméra, une vidéo ou un dossier d&apos;images, et Ctrl+G où aller.</translation>
+    </message>
+    <message>
+        <source>F5 starts and holds the walk, F8 goes on by one picture.</source>
+        <translation>F5 lance et suspend le parcours, F8 avance d&apos;une image.</translation>
+    </message>
+    <message>
+        <source>When the place shown is not right, choose the right one on the map and press Ctrl+H.</source>
+        <translation>Si le lieu montré n&apos;est pas le bon, choisissez le bon sur la carte et appuyez sur Ctrl+H.</translation>
+    </message>
+    <message>
+        <source>Ctrl+W gives the place up, so that it is looked for anew.</source>
+        <translation>Ctrl+W abandonne le lieu, pour qu&apos;il soit cherché de nouveau.</translation>
+    </message>
+    <message>
+        <source>Ctrl+E speaks a sentence that you type.</source>
+        <translation>Ctrl+E dit une phrase que vous tapez.</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+R records the next walk. A recorded walk can be worked out anew in another way and compared, from the Walk menu.</source>
+        <translation>Ctrl+Maj+R enregistre le prochain parcours. Un parcours enregistré peut être recalculé autrement et comparé, par le menu Parcours.</translation>
+    </message>
+    <message>
+        <source>The timeline at the bottom looks back: drag it, or use the arrow keys. “Why there” explains the vote of the place that is chosen in the list.</source>
+        <translation>La ligne du temps, en bas, regarde en arrière : glissez-la, ou utilisez les flèches. « Pourquoi là » explique le vote du lieu choisi dans la liste.</translation>
+    </message>
+</context>
+<context>
     <name>farol::ui::HistoryModel</name>
     <message>
         <source>What</source>
@@ -2057,6 +2176,14 @@ Guide une personne aveugle dans un bâtiment avec une simple caméra : il recon
         <source>Tables (%1)</source>
         <translation>Tableaux (%1)</translation>
     </message>
+    <message>
+        <source>Open as &amp;map</source>
+        <translation>Ouvrir comme &amp;carte</translation>
+    </message>
+    <message>
+        <source>Open as landmark &amp;library</source>
+        <translation>Ouvrir comme &amp;bibliothèque de repères</translation>
+    </message>
 </context>
 <context>
     <name>farol::ui::MapActions</name>
@@ -2529,6 +2656,124 @@ Guide une personne aveugle dans un bâtiment avec une simple caméra : il recon
 Open one with Ctrl+O.</source>
         <translation>Aucune carte n&apos;est ouverte.
 Ouvrez-en une avec Ctrl+O.</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::OptionFields</name>
+    <message>
+        <source>Announce what comes within</source>
+        <translation>Annoncer ce qui vient à moins de</translation>
+    </message>
+    <message>
+        <source>Say “now” within</source>
+        <translation>Dire « maintenant » à moins de</translation>
+    </message>
+    <message>
+        <source>Reassure every</source>
+        <translation>Rassurer tous les</translation>
+    </message>
+    <message>
+        <source>Reassure, where no distance is known, every</source>
+        <translation>Rassurer, sans distance connue, toutes les</translation>
+    </message>
+    <message>
+        <source>Repeat an instruction after</source>
+        <translation>Répéter une instruction après</translation>
+    </message>
+    <message>
+        <source>Tell an object again after</source>
+        <translation>Redire un objet après</translation>
+    </message>
+    <message>
+        <source>Say that the place is not known after</source>
+        <translation>Dire que le lieu est inconnu après</translation>
+    </message>
+    <message>
+        <source>Say again that the route was left after</source>
+        <translation>Redire que l&apos;itinéraire est quitté après</translation>
+    </message>
+    <message>
+        <source>Avoid stairs</source>
+        <translation>Éviter les escaliers</translation>
+    </message>
+    <message>
+        <source>Avoid lifts</source>
+        <translation>Éviter les ascenseurs</translation>
+    </message>
+    <message>
+        <source>Avoid escalators</source>
+        <translation>Éviter les escaliers mécaniques</translation>
+    </message>
+    <message>
+        <source>Avoid moving walkways</source>
+        <translation>Éviter les tapis roulants</translation>
+    </message>
+    <message>
+        <source>Avoid ramps</source>
+        <translation>Éviter les rampes</translation>
+    </message>
+    <message>
+        <source>Avoid narrow doors</source>
+        <translation>Éviter les portes étroites</translation>
+    </message>
+    <message>
+        <source>Avoid restricted places</source>
+        <translation>Éviter les lieux restreints</translation>
+    </message>
+    <message>
+        <source>Walking speed</source>
+        <translation>Vitesse de marche</translation>
+    </message>
+    <message>
+        <source>Time to find and pass a door</source>
+        <translation>Temps pour trouver et passer une porte</translation>
+    </message>
+    <message>
+        <source>Time for the stairs of a level</source>
+        <translation>Temps pour l&apos;escalier d&apos;un niveau</translation>
+    </message>
+    <message>
+        <source>Time to wait for a lift and ride it</source>
+        <translation>Temps pour attendre et prendre un ascenseur</translation>
+    </message>
+    <message>
+        <source>Points that must fit an object</source>
+        <translation>Points qui doivent concorder pour un objet</translation>
+    </message>
+    <message>
+        <source>Evidence that an object needs</source>
+        <translation>Indices qu&apos;il faut pour un objet</translation>
+    </message>
+    <message>
+        <source>Points that must fit a known place</source>
+        <translation>Points qui doivent concorder pour un lieu connu</translation>
+    </message>
+    <message>
+        <source>Sharpness that a picture needs</source>
+        <translation>Netteté qu&apos;il faut à une image</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::OptionForm</name>
+    <message>
+        <source>&amp;Defaults</source>
+        <translation>Valeurs par &amp;défaut</translation>
+    </message>
+    <message>
+        <source>Defaults</source>
+        <translation>Valeurs par défaut</translation>
+    </message>
+    <message>
+        <source>Take every figure of this page back to what the program has</source>
+        <translation>Ramener tous les chiffres de cette page à ceux du programme</translation>
+    </message>
+    <message>
+        <source>Usually %1</source>
+        <translation>D&apos;habitude %1</translation>
+    </message>
+    <message>
+        <source>%1:</source>
+        <translation>%1 :</translation>
     </message>
 </context>
 <context>
@@ -3903,6 +4148,37 @@ Ouvrez-en une avec Ctrl+O.</translation>
     </message>
 </context>
 <context>
+    <name>farol::ui::ProfileMenu</name>
+    <message>
+        <source>Usual</source>
+        <translation>Habituel</translation>
+    </message>
+    <message>
+        <source>Use the settings of %1</source>
+        <translation>Utiliser les réglages de %1</translation>
+    </message>
+    <message>
+        <source>&amp;New user…</source>
+        <translation>&amp;Nouvel utilisateur…</translation>
+    </message>
+    <message>
+        <source>New user</source>
+        <translation>Nouvel utilisateur</translation>
+    </message>
+    <message>
+        <source>Name; the new user begins with the settings as they are now:</source>
+        <translation>Nom ; le nouvel utilisateur commence avec les réglages actuels :</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be used as a name: it must not hold a slash.</source>
+        <translation>« %1 » ne peut pas servir de nom : il ne doit pas contenir de barre oblique.</translation>
+    </message>
+    <message>
+        <source>&amp;User</source>
+        <translation>&amp;Utilisateur</translation>
+    </message>
+</context>
+<context>
     <name>farol::ui::RegionDialog</name>
     <message>
         <source>Region %1</source>
@@ -5064,6 +5340,82 @@ Ouvrez-en une avec Ctrl+O.</translation>
     <message>
         <source>&amp;Recordings:</source>
         <translation>Enre&amp;gistrements :</translation>
+    </message>
+    <message>
+        <source>Pages of the settings</source>
+        <translation>Pages des réglages</translation>
+    </message>
+    <message>
+        <source>General</source>
+        <translation>Général</translation>
+    </message>
+    <message>
+        <source>Guidance</source>
+        <translation>Guidage</translation>
+    </message>
+    <message>
+        <source>When something is said. From the next start of a walk.</source>
+        <translation>Quand quelque chose est dit. Dès le prochain départ d&apos;un parcours.</translation>
+    </message>
+    <message>
+        <source>Routes</source>
+        <translation>Itinéraires</translation>
+    </message>
+    <message>
+        <source>Which way is chosen. From the next start of a walk.</source>
+        <translation>Quel chemin est choisi. Dès le prochain départ d&apos;un parcours.</translation>
+    </message>
+    <message>
+        <source>Recognition</source>
+        <translation>Reconnaissance</translation>
+    </message>
+    <message>
+        <source>How sure a landmark must be before it counts. Lower figures find more, and more that is wrong: leave them unless you can check. From the next start of a walk.</source>
+        <translation>Combien un repère doit être sûr pour compter. Des chiffres plus bas trouvent davantage, et plus d&apos;erreurs : laissez-les, à moins de pouvoir vérifier. Dès le prochain départ d&apos;un parcours.</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Clair</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Sombre</translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation>Couleurs</translation>
+    </message>
+    <message>
+        <source>Light or dark windows</source>
+        <translation>Fenêtres claires ou sombres</translation>
+    </message>
+    <message>
+        <source>&amp;Colours:</source>
+        <translation>C&amp;ouleurs :</translation>
+    </message>
+    <message>
+        <source>Metres</source>
+        <translation>Mètres</translation>
+    </message>
+    <message>
+        <source>Feet</source>
+        <translation>Pieds</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Pas</translation>
+    </message>
+    <message>
+        <source>Distances</source>
+        <translation>Distances</translation>
+    </message>
+    <message>
+        <source>How distances are told</source>
+        <translation>Comment les distances sont dites</translation>
+    </message>
+    <message>
+        <source>Dis&amp;tances:</source>
+        <translation>Dis&amp;tances :</translation>
     </message>
 </context>
 <context>
@@ -6305,6 +6657,53 @@ Allumez la caméra, ou choisissez des images ou un enregistrement.</translation>
     </message>
 </context>
 <context>
+    <name>farol::ui::WelcomeDialog</name>
+    <message>
+        <source>Welcome to Farol</source>
+        <translation>Bienvenue dans Farol</translation>
+    </message>
+    <message>
+        <source>Farol guides a blind person through a building with one camera. It needs a map of the building, and landmarks that it was taught. What do you want to do?</source>
+        <translation>Farol guide une personne aveugle dans un bâtiment avec une caméra. Il lui faut une carte du bâtiment et des repères qu&apos;on lui a appris. Que voulez-vous faire ?</translation>
+    </message>
+    <message>
+        <source>&amp;Guide somebody</source>
+        <translation>&amp;Guider quelqu&apos;un</translation>
+    </message>
+    <message>
+        <source>Open a map and a camera, and choose where to go</source>
+        <translation>Ouvrir une carte et une caméra, et choisir où aller</translation>
+    </message>
+    <message>
+        <source>Work on a &amp;map</source>
+        <translation>Travailler sur une &amp;carte</translation>
+    </message>
+    <message>
+        <source>Bring in a floor plan, check it, and put landmarks on it</source>
+        <translation>Reprendre un plan d&apos;étage, le vérifier et y placer des repères</translation>
+    </message>
+    <message>
+        <source>Teach &amp;landmarks</source>
+        <translation>Apprendre des &amp;repères</translation>
+    </message>
+    <message>
+        <source>Photograph what Farol shall know again</source>
+        <translation>Photographier ce que Farol doit reconnaître</translation>
+    </message>
+    <message>
+        <source>Read the &amp;help</source>
+        <translation>Lire l&apos;&amp;aide</translation>
+    </message>
+    <message>
+        <source>What each page is for, and its keys; F1 at any time</source>
+        <translation>À quoi sert chaque page, et ses touches ; F1 à tout moment</translation>
+    </message>
+    <message>
+        <source>For a blind user who is alone, start “farol --kiosk”: full screen, by keys and speech.</source>
+        <translation>Pour un utilisateur aveugle et seul, lancez « farol --kiosk » : plein écran, par touches et parole.</translation>
+    </message>
+</context>
+<context>
     <name>farol::ui::WindowActions</name>
     <message>
         <source>&amp;File</source>
@@ -6789,6 +7188,26 @@ Allumez la caméra, ou choisissez des images ou un enregistrement.</translation>
     <message>
         <source>Save times, places and sentences of this walk for a spreadsheet</source>
         <translation>Enregistrer heures, lieux et phrases de ce parcours pour un tableur</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Aide</translation>
+    </message>
+    <message>
+        <source>How the page that is shown is used</source>
+        <translation>Comment on utilise la page montrée</translation>
+    </message>
+    <message>
+        <source>&amp;Welcome</source>
+        <translation>&amp;Bienvenue</translation>
+    </message>
+    <message>
+        <source>Welcome</source>
+        <translation>Bienvenue</translation>
+    </message>
+    <message>
+        <source>The page of the first start</source>
+        <translation>La page du premier démarrage</translation>
     </message>
 </context>
 <context>

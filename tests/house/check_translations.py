@@ -15,9 +15,9 @@ from pathlib import Path
 SAME = {"Farol", "%1 – Farol", "Tab", "Page Up, Page Down", "OK", "%1", "%1 %", "%1 m", "%1x", "%1×", "%1: %2", "Total", "Local", "PDF", "PDF (%1)"}
 # The same in English and in this one.
 SAME_IN = {
-    "de": {"minus %1", "&Name:", "text", "Name", "Text", "Region", "Region %1", "Start", "Plan"},
-    "es": {"Error"},
-    "fr": {"Halls", "hall", "destination", "Destination", "Directions", "Pages", "Plan", "&Pause", "passage"},
+    "de": {"minus %1", "&Name:", "text", "Name", "Text", "Region", "Region %1", "Start", "Plan", "Kiosk"},
+    "es": {"Error", "General"},
+    "fr": {"Halls", "hall", "destination", "Destination", "Directions", "Distances", "Pages", "Plan", "&Pause", "passage"},
 }
 # Those with every text of the screen.
 COMPLETE = {"en", "pt"}

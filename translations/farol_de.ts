@@ -508,6 +508,108 @@
     </message>
 </context>
 <context>
+    <name>farol::ui::Figures</name>
+    <message>
+        <source>Votes over time</source>
+        <translation>Stimmen im Lauf der Zeit</translation>
+    </message>
+    <message>
+        <source>seconds</source>
+        <translation>Sekunden</translation>
+    </message>
+    <message>
+        <source>votes</source>
+        <translation>Stimmen</translation>
+    </message>
+    <message>
+        <source>Start a walk first.</source>
+        <translation>Beginnen Sie zuerst eine Begehung.</translation>
+    </message>
+    <message>
+        <source>How long pictures took to understand</source>
+        <translation>Wie lange Bilder zum Verstehen brauchten</translation>
+    </message>
+    <message>
+        <source>milliseconds</source>
+        <translation>Millisekunden</translation>
+    </message>
+    <message>
+        <source>pictures</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>How sure, and how right</source>
+        <translation>Wie sicher, und wie richtig</translation>
+    </message>
+    <message>
+        <source>told confidence</source>
+        <translation>genannte Sicherheit</translation>
+    </message>
+    <message>
+        <source>share that was right</source>
+        <translation>richtiger Anteil</translation>
+    </message>
+    <message>
+        <source>The truth is known in simulated walks only: start the demonstration.</source>
+        <translation>Die Wahrheit ist nur bei simulierten Begehungen bekannt: Starten Sie die Vorführung.</translation>
+    </message>
+    <message>
+        <source>this walk</source>
+        <translation>diese Begehung</translation>
+    </message>
+    <message>
+        <source>From how far each landmark is found</source>
+        <translation>Aus welcher Entfernung jede Landmarke gefunden wird</translation>
+    </message>
+    <message>
+        <source>landmarks</source>
+        <translation>Landmarken</translation>
+    </message>
+    <message>
+        <source>metres</source>
+        <translation>Meter</translation>
+    </message>
+    <message>
+        <source>Check the library on the Landmarks page first (F7); landmarks need a real size.</source>
+        <translation>Prüfen Sie zuerst die Bibliothek auf der Seite Landmarken (F7); Landmarken brauchen eine wirkliche Größe.</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::FiguresDialog</name>
+    <message>
+        <source>Figures</source>
+        <translation>Diagramme</translation>
+    </message>
+    <message>
+        <source>Charts</source>
+        <translation>Diagramme</translation>
+    </message>
+    <message>
+        <source>Which chart is shown</source>
+        <translation>Welches Diagramm gezeigt wird</translation>
+    </message>
+    <message>
+        <source>&amp;Save as PNG or SVG…</source>
+        <translation>Als PNG oder SVG &amp;speichern…</translation>
+    </message>
+    <message>
+        <source>Save the chart</source>
+        <translation>Diagramm speichern</translation>
+    </message>
+    <message>
+        <source>Save the chart as a picture, or as a drawing that stays sharp</source>
+        <translation>Das Diagramm als Bild speichern, oder als Zeichnung, die scharf bleibt</translation>
+    </message>
+    <message>
+        <source>Charts (%1)</source>
+        <translation>Diagramme (%1)</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written. Choose another folder.</source>
+        <translation>%1 kann nicht geschrieben werden. Wählen Sie einen anderen Ordner.</translation>
+    </message>
+</context>
+<context>
     <name>farol::ui::FindingModel</name>
     <message>
         <source>Error</source>
@@ -7208,6 +7310,18 @@ Schalten Sie die Kamera ein, oder wählen Sie Bilder oder eine Aufnahme.</transl
     <message>
         <source>The page of the first start</source>
         <translation>Die Seite des ersten Starts</translation>
+    </message>
+    <message>
+        <source>Fi&amp;gures…</source>
+        <translation>Dia&amp;gramme…</translation>
+    </message>
+    <message>
+        <source>Figures</source>
+        <translation>Diagramme</translation>
+    </message>
+    <message>
+        <source>Charts of the votes, of the time that pictures took, and of how far landmarks are found</source>
+        <translation>Diagramme der Stimmen, der Zeit für die Bilder und der Entfernung, aus der Landmarken gefunden werden</translation>
     </message>
 </context>
 <context>

@@ -508,6 +508,108 @@
     </message>
 </context>
 <context>
+    <name>farol::ui::Figures</name>
+    <message>
+        <source>Votes over time</source>
+        <translation>Votos a lo largo del tiempo</translation>
+    </message>
+    <message>
+        <source>seconds</source>
+        <translation>segundos</translation>
+    </message>
+    <message>
+        <source>votes</source>
+        <translation>votos</translation>
+    </message>
+    <message>
+        <source>Start a walk first.</source>
+        <translation>Inicie primero un recorrido.</translation>
+    </message>
+    <message>
+        <source>How long pictures took to understand</source>
+        <translation>Cuánto se tardó en comprender las imágenes</translation>
+    </message>
+    <message>
+        <source>milliseconds</source>
+        <translation>milisegundos</translation>
+    </message>
+    <message>
+        <source>pictures</source>
+        <translation>imágenes</translation>
+    </message>
+    <message>
+        <source>How sure, and how right</source>
+        <translation>Qué seguro y qué acertado</translation>
+    </message>
+    <message>
+        <source>told confidence</source>
+        <translation>confianza declarada</translation>
+    </message>
+    <message>
+        <source>share that was right</source>
+        <translation>parte acertada</translation>
+    </message>
+    <message>
+        <source>The truth is known in simulated walks only: start the demonstration.</source>
+        <translation>La verdad solo se conoce en recorridos simulados: inicie la demostración.</translation>
+    </message>
+    <message>
+        <source>this walk</source>
+        <translation>este recorrido</translation>
+    </message>
+    <message>
+        <source>From how far each landmark is found</source>
+        <translation>Desde qué distancia se encuentra cada punto de referencia</translation>
+    </message>
+    <message>
+        <source>landmarks</source>
+        <translation>puntos de referencia</translation>
+    </message>
+    <message>
+        <source>metres</source>
+        <translation>metros</translation>
+    </message>
+    <message>
+        <source>Check the library on the Landmarks page first (F7); landmarks need a real size.</source>
+        <translation>Compruebe primero la biblioteca en la página Puntos de referencia (F7); los puntos de referencia necesitan un tamaño real.</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::FiguresDialog</name>
+    <message>
+        <source>Figures</source>
+        <translation>Gráficos</translation>
+    </message>
+    <message>
+        <source>Charts</source>
+        <translation>Gráficos</translation>
+    </message>
+    <message>
+        <source>Which chart is shown</source>
+        <translation>Qué gráfico se muestra</translation>
+    </message>
+    <message>
+        <source>&amp;Save as PNG or SVG…</source>
+        <translation>&amp;Guardar como PNG o SVG…</translation>
+    </message>
+    <message>
+        <source>Save the chart</source>
+        <translation>Guardar el gráfico</translation>
+    </message>
+    <message>
+        <source>Save the chart as a picture, or as a drawing that stays sharp</source>
+        <translation>Guardar el gráfico como imagen, o como dibujo que sigue nítido</translation>
+    </message>
+    <message>
+        <source>Charts (%1)</source>
+        <translation>Gráficos (%1)</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written. Choose another folder.</source>
+        <translation>No se puede escribir %1. Elija otra carpeta.</translation>
+    </message>
+</context>
+<context>
     <name>farol::ui::FindingModel</name>
     <message>
         <source>Error</source>
@@ -7208,6 +7310,18 @@ Encienda la cámara, o elija imágenes o una grabación.</translation>
     <message>
         <source>The page of the first start</source>
         <translation>La página del primer inicio</translation>
+    </message>
+    <message>
+        <source>Fi&amp;gures…</source>
+        <translation>&amp;Gráficos…</translation>
+    </message>
+    <message>
+        <source>Figures</source>
+        <translation>Gráficos</translation>
+    </message>
+    <message>
+        <source>Charts of the votes, of the time that pictures took, and of how far landmarks are found</source>
+        <translation>Gráficos de los votos, del tiempo que tardaron las imágenes y de la distancia a que se encuentran los puntos de referencia</translation>
     </message>
 </context>
 <context>

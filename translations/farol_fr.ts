@@ -508,6 +508,108 @@
     </message>
 </context>
 <context>
+    <name>farol::ui::Figures</name>
+    <message>
+        <source>Votes over time</source>
+        <translation>Votes au fil du temps</translation>
+    </message>
+    <message>
+        <source>seconds</source>
+        <translation>secondes</translation>
+    </message>
+    <message>
+        <source>votes</source>
+        <translation>voix</translation>
+    </message>
+    <message>
+        <source>Start a walk first.</source>
+        <translation>Commencez d&apos;abord un parcours.</translation>
+    </message>
+    <message>
+        <source>How long pictures took to understand</source>
+        <translation>Temps mis pour comprendre les images</translation>
+    </message>
+    <message>
+        <source>milliseconds</source>
+        <translation>millisecondes</translation>
+    </message>
+    <message>
+        <source>pictures</source>
+        <translation>images</translation>
+    </message>
+    <message>
+        <source>How sure, and how right</source>
+        <translation>Combien sûr, et combien juste</translation>
+    </message>
+    <message>
+        <source>told confidence</source>
+        <translation>confiance annoncée</translation>
+    </message>
+    <message>
+        <source>share that was right</source>
+        <translation>part juste</translation>
+    </message>
+    <message>
+        <source>The truth is known in simulated walks only: start the demonstration.</source>
+        <translation>La vérité n&apos;est connue que dans les parcours simulés : lancez la démonstration.</translation>
+    </message>
+    <message>
+        <source>this walk</source>
+        <translation>ce parcours</translation>
+    </message>
+    <message>
+        <source>From how far each landmark is found</source>
+        <translation>De quelle distance chaque repère est trouvé</translation>
+    </message>
+    <message>
+        <source>landmarks</source>
+        <translation>repères</translation>
+    </message>
+    <message>
+        <source>metres</source>
+        <translation>mètres</translation>
+    </message>
+    <message>
+        <source>Check the library on the Landmarks page first (F7); landmarks need a real size.</source>
+        <translation>Vérifiez d&apos;abord la bibliothèque sur la page Repères (F7) ; les repères doivent avoir une taille réelle.</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::FiguresDialog</name>
+    <message>
+        <source>Figures</source>
+        <translation>Graphiques</translation>
+    </message>
+    <message>
+        <source>Charts</source>
+        <translation>Graphiques</translation>
+    </message>
+    <message>
+        <source>Which chart is shown</source>
+        <translation>Quel graphique est montré</translation>
+    </message>
+    <message>
+        <source>&amp;Save as PNG or SVG…</source>
+        <translation>&amp;Enregistrer en PNG ou SVG…</translation>
+    </message>
+    <message>
+        <source>Save the chart</source>
+        <translation>Enregistrer le graphique</translation>
+    </message>
+    <message>
+        <source>Save the chart as a picture, or as a drawing that stays sharp</source>
+        <translation>Enregistrer le graphique en image, ou en dessin qui reste net</translation>
+    </message>
+    <message>
+        <source>Charts (%1)</source>
+        <translation>Graphiques (%1)</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written. Choose another folder.</source>
+        <translation>%1 ne peut pas être écrit. Choisissez un autre dossier.</translation>
+    </message>
+</context>
+<context>
     <name>farol::ui::FindingModel</name>
     <message>
         <source>Error</source>
@@ -7208,6 +7310,18 @@ Allumez la caméra, ou choisissez des images ou un enregistrement.</translation>
     <message>
         <source>The page of the first start</source>
         <translation>La page du premier démarrage</translation>
+    </message>
+    <message>
+        <source>Fi&amp;gures…</source>
+        <translation>&amp;Graphiques…</translation>
+    </message>
+    <message>
+        <source>Figures</source>
+        <translation>Graphiques</translation>
+    </message>
+    <message>
+        <source>Charts of the votes, of the time that pictures took, and of how far landmarks are found</source>
+        <translation>Graphiques des votes, du temps pris par les images et de la distance à laquelle les repères sont trouvés</translation>
     </message>
 </context>
 <context>

@@ -16,7 +16,7 @@ SAME = {"Farol", "%1 – Farol", "Tab", "Page Up, Page Down", "OK", "%1", "%1 %"
 # The same in English and in this one.
 SAME_IN = {
     "de": {"minus %1", "&Name:", "text", "Name", "Text", "Region", "Region %1", "Start", "Plan", "Kiosk"},
-    "es": {"Error", "General"},
+    "es": {"&No", "Error", "General"},
     "fr": {"Halls", "hall", "destination", "Destination", "Directions", "Distances", "Pages", "Plan", "&Pause", "passage"},
 }
 # Those with every text of the screen.

@@ -6667,6 +6667,10 @@ Schalten Sie die Kamera ein, oder wählen Sie Bilder oder eine Aufnahme.</transl
         <source>good</source>
         <translation>gut</translation>
     </message>
+    <message>
+        <source>No view is straight from the front: add one, to learn from how far it is found.</source>
+        <translation>Keine Ansicht ist gerade von vorn: Fügen Sie eine hinzu, um zu erfahren, aus welcher Entfernung es gefunden wird.</translation>
+    </message>
 </context>
 <context>
     <name>farol::ui::UtteranceModel</name>

@@ -6667,6 +6667,10 @@ Encienda la cámara, o elija imágenes o una grabación.</translation>
         <source>good</source>
         <translation>bueno</translation>
     </message>
+    <message>
+        <source>No view is straight from the front: add one, to learn from how far it is found.</source>
+        <translation>Ninguna vista es de frente: añada una, para saber desde qué distancia se encuentra.</translation>
+    </message>
 </context>
 <context>
     <name>farol::ui::UtteranceModel</name>

@@ -6667,6 +6667,10 @@ Allumez la caméra, ou choisissez des images ou un enregistrement.</translation>
         <source>good</source>
         <translation>bon</translation>
     </message>
+    <message>
+        <source>No view is straight from the front: add one, to learn from how far it is found.</source>
+        <translation>Aucune vue n&apos;est bien de face : ajoutez-en une, pour savoir de quelle distance il est trouvé.</translation>
+    </message>
 </context>
 <context>
     <name>farol::ui::UtteranceModel</name>

@@ -2,7 +2,7 @@
 """Fails when a text of ui/ or app/ is not in translations/*.ts, or one there is used no more.
 
 Usage: check_collected.py ROOT LUPDATE. Collects into a copy; the .ts files of the repository are only read. What to do
-about a failure: ./dev translate, then fill in what is unfinished in translations/farol_pt.ts.
+about a failure: ./dev translate, then fill in what is unfinished in translations/farol_*.ts.
 """
 import shutil
 import subprocess
@@ -24,8 +24,8 @@ def texts(path):
 
 root, lupdate = Path(sys.argv[1]), sys.argv[2]
 bad = []
-for language, only in (("en", ["-pluralonly"]), ("pt", [])):
-    kept = root / "translations" / f"farol_{language}.ts"
+for kept in sorted((root / "translations").glob("farol_*.ts")):
+    only = ["-pluralonly"] if kept.stem == "farol_en" else []
     with tempfile.TemporaryDirectory() as folder:
         fresh = Path(folder) / kept.name
         shutil.copy(kept, fresh)

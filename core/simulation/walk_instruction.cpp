@@ -99,7 +99,8 @@ void takeTasks(const Cue& cue, WalkInstruction& instruction) {
     if (instruction.task.feature == Feature::Elevator) instruction.task.level = cue.levelName;
     instruction.turnFirst = cue.turnFirst;
     if (instruction.turnFirst) instruction.turnFirst = heard(*instruction.turnFirst);
-    instruction.hour = cue.hour;
+    // Of a door or an opening no hour is spoken either to one who does not face the way.
+    if (cue.facingWay || !gap) instruction.hour = cue.hour;
     if (cue.distanceM && cue.sure) instruction.distanceM = std::round(*cue.distanceM);
 }
 

@@ -402,7 +402,8 @@ WalkingOptions WalkingOptions::obedient() {
 Result<void> WalkingOptions::check() const {
     bool speeds = slowest > 0.0 && slowest <= fastest && fastest <= hurrySpeed && speedSpread >= 0.0 &&
                   hurryShare >= 0.0 && hurryShare <= 1.0;
-    bool rates = stopRate >= 0.0 && goRate >= 0.0 && strayRate >= 0.0 && returnRate >= 0.0;
+    bool rates =
+        stopRate >= 0.0 && goRate >= 0.0 && strayRate >= 0.0 && returnRate >= 0.0 && straightBack >= 0.0;
     bool sigmas = swaySigmaDeg > 0.0 && turnSigmaDeg >= 0.0 && unknownTurnSigmaDeg >= 0.0;
     if (speeds && rates && sigmas) return {};
     return Error{ErrorCode::InvalidArgument, "rates are not negative, speeds and deviations are above 0",
@@ -412,7 +413,8 @@ Result<void> WalkingOptions::check() const {
 Result<void> BayesOptions::check() const {
     if (auto checked = sensors.check(); !checked) return checked;
     if (auto checked = walking.check(); !checked) return checked;
-    bool shares = startTrust > 0.0 && startTrust < 1.0 && resetShare >= 0.0 && resetShare < 1.0;
+    bool shares = startTrust > 0.0 && startTrust < 1.0 && resetShare >= 0.0 && resetShare < 1.0 &&
+                  climbSees >= 0.0 && climbSees <= 1.0 && evenness >= 0.0 && evenness <= 1.0;
     if (shares && trust >= 0.0 && trustRepeated >= 0.0 && lostRate >= 0.0 && blindLostRate >= 0.0) return {};
     return Error{ErrorCode::InvalidArgument, "shares are between 0 and 1, rates and exponents not negative",
                  "bayes"};

@@ -469,4 +469,15 @@ TEST(ShortEditDistance, CountsUpToTwo) {
     EXPECT_EQ(shortEditDistance(std::string(40, 'A'), std::string(40, 'B')), 3);
 }
 
+TEST(BayesOptions, WhatIsOutOfRangeIsRefused) {
+    EXPECT_TRUE(BayesOptions{}.check().ok());
+    BayesOptions climbs, even, back;
+    climbs.climbSees = 1.5;
+    even.evenness = -0.1;
+    back.walking.straightBack = -1.0;
+    EXPECT_FALSE(climbs.check().ok());
+    EXPECT_FALSE(even.check().ok());
+    EXPECT_FALSE(back.check().ok());
+}
+
 } // namespace

@@ -121,6 +121,13 @@ Result<CameraModel> CameraCalibration::solve() const {
     if (!(error < worst))
         return notEnough("the corners miss their places by " + twoDigits(error) +
                          " pixels; is the board flat, and are the pictures sharp?");
+    // Bearings follow the middle of the lens: far off the picture's, it was not measured but made up.
+    constexpr double kMostOffMiddle = 0.08; // cameras as they are sold lie well within
+    if (std::abs(camera.centreX - m_size.width / 2.0) > kMostOffMiddle * m_size.width ||
+        std::abs(camera.centreY - m_size.height / 2.0) > kMostOffMiddle * m_size.height)
+        return notEnough(
+            "the middle of the lens comes out far from the middle of the picture; photograph the "
+            "board in all parts of the picture, and do not cut the pictures");
     if (auto checked = camera.check(); !checked)
         return notEnough("the pictures lead to an impossible camera (" + checked.error().message +
                          "); take sharper ones, in all parts of the picture");

@@ -18,7 +18,7 @@ constexpr double kFocal = 620.0;
 const cv::Size kPicture(640, 480);
 
 /// A board of 9 x 6 inner corners, turned and leaning by so many degrees, seen without lens bend.
-cv::Mat boardPicture(double yaw, double lean, double distance, double aside) {
+cv::Mat boardPicture(double yaw, double lean, double distance, double aside, double middle = 320.0) {
     constexpr int kSquare = 40, kAcross = 10, kDown = 7;
     cv::Mat board((kDown + 2) * kSquare, (kAcross + 2) * kSquare, CV_8U, cv::Scalar(255));
     for (int y = 0; y < kDown; ++y)
@@ -33,7 +33,7 @@ cv::Mat boardPicture(double yaw, double lean, double distance, double aside) {
     cv::Matx33d place(r(0, 0) * metre, r(0, 1) * metre, aside, r(1, 0) * metre, r(1, 1) * metre, 0.05,
                       r(2, 0) * metre, r(2, 1) * metre, distance);
     cv::Matx33d centre(1, 0, -board.cols / 2.0, 0, 1, -board.rows / 2.0, 0, 0, 1);
-    cv::Matx33d camera(kFocal, 0, 320, 0, kFocal, 240, 0, 0, 1);
+    cv::Matx33d camera(kFocal, 0, middle, 0, kFocal, 240, 0, 0, 1);
     cv::Mat fine;
     cv::Matx33d twice(2, 0, 0, 0, 2, 0, 0, 0, 1);
     cv::warpPerspective(board, fine, twice * camera * place * centre, kPicture * 2, cv::INTER_LINEAR,
@@ -88,6 +88,20 @@ TEST(CameraCalibration, FindsTheFocalLengthFromBoardsSeenAtASlant) {
     EXPECT_NEAR(camera->centreX, 320.0, 8.0);
     EXPECT_LT(camera->focalSpread, 0.02);
     EXPECT_TRUE(camera->calibrated());
+}
+
+TEST(CameraCalibration, RefusesALensWhoseMiddleLiesFarAside) {
+    CameraCalibration calibration(Chessboard{9, 6});
+    int number = 0;
+    for (double yaw : {-35.0, -15.0, 20.0, 40.0})
+        for (double lean : {-25.0, 5.0, 30.0}) {
+            double distance = 1.8 + 0.1 * number, aside = 0.5 + 0.12 * (number % 3 - 1);
+            ASSERT_TRUE(calibration.add(boardPicture(yaw, lean, distance, aside, 150.0), "board")) << number;
+            ++number;
+        }
+    auto camera = calibration.solve();
+    ASSERT_FALSE(camera) << camera->centreX << ", " << camera->centreY;
+    EXPECT_NE(camera.error().message.find("middle"), std::string::npos) << camera.error().message;
 }
 
 TEST(CameraCalibration, RefusesBoardsThatAreAllSeenSquareOn) {

@@ -2329,6 +2329,14 @@ Führt einen blinden Menschen mit einer gewöhnlichen Kamera durch ein Gebäude:
         <source>Open as landmark &amp;library</source>
         <translation>Als Landmarken&amp;bibliothek öffnen</translation>
     </message>
+    <message>
+        <source>The file of this map was changed.</source>
+        <translation>Die Datei dieser Karte wurde geändert.</translation>
+    </message>
+    <message>
+        <source>&amp;Load it again</source>
+        <translation>Neu &amp;laden</translation>
+    </message>
 </context>
 <context>
     <name>farol::ui::MapActions</name>
@@ -2558,6 +2566,13 @@ Führt einen blinden Menschen mit einer gewöhnlichen Kamera durch ein Gebäude:
     </message>
 </context>
 <context>
+    <name>farol::ui::MapDocument</name>
+    <message>
+        <source>Load the map again</source>
+        <translation>Karte neu laden</translation>
+    </message>
+</context>
+<context>
     <name>farol::ui::MapPage</name>
     <message>
         <source>Saved in %1</source>
@@ -2694,6 +2709,46 @@ Führt einen blinden Menschen mit einer gewöhnlichen Kamera durch ein Gebäude:
     <message>
         <source>&amp;Open map…</source>
         <translation>Karte ö&amp;ffnen…</translation>
+    </message>
+    <message>
+        <source>Another program has changed the file of this map. You have changes of your own: loading it again puts them aside, and Ctrl+Z brings them back.</source>
+        <translation>Ein anderes Programm hat die Datei dieser Karte geändert. Sie haben eigene Änderungen: Neu laden legt sie beiseite, und Strg+Z holt sie zurück.</translation>
+    </message>
+    <message>
+        <source>Another program has changed the file of this map.</source>
+        <translation>Ein anderes Programm hat die Datei dieser Karte geändert.</translation>
+    </message>
+    <message>
+        <source>&amp;Load it again</source>
+        <translation>Neu &amp;laden</translation>
+    </message>
+    <message>
+        <source>The file %1 is no longer there. The map stays open here: save it, or it is lost when you leave.</source>
+        <translation>Die Datei %1 ist nicht mehr da. Die Karte bleibt hier offen: Speichern Sie sie, sonst ist sie beim Beenden verloren.</translation>
+    </message>
+    <message>
+        <source>Another program has changed the file of this map, and it cannot be read any more (%1). The map stays open here as it was: save it under another name.</source>
+        <translation>Ein anderes Programm hat die Datei dieser Karte geändert, und sie ist nicht mehr lesbar (%1). Die Karte bleibt hier offen, wie sie war: Speichern Sie sie unter einem anderen Namen.</translation>
+    </message>
+    <message>
+        <source>Not saved yet</source>
+        <translation>Noch nicht gespeichert</translation>
+    </message>
+    <message>
+        <source>Another program has changed the file of this map since it was read here.</source>
+        <translation>Ein anderes Programm hat die Datei dieser Karte geändert, seit sie hier gelesen wurde.</translation>
+    </message>
+    <message>
+        <source>Saving over it would lose what that program wrote.</source>
+        <translation>Darüber zu speichern würde verlieren, was jenes Programm geschrieben hat.</translation>
+    </message>
+    <message>
+        <source>Save under &amp;another name…</source>
+        <translation>Unter &amp;anderem Namen speichern…</translation>
+    </message>
+    <message>
+        <source>Save &amp;over it</source>
+        <translation>&amp;Darüber speichern</translation>
     </message>
 </context>
 <context>

@@ -2329,6 +2329,14 @@ Guía a una persona ciega por un edificio con una cámara corriente: reconoce lo
         <source>Open as landmark &amp;library</source>
         <translation>Abrir como &amp;biblioteca de puntos de referencia</translation>
     </message>
+    <message>
+        <source>The file of this map was changed.</source>
+        <translation>El archivo de este mapa ha cambiado.</translation>
+    </message>
+    <message>
+        <source>&amp;Load it again</source>
+        <translation>&amp;Cargarlo de nuevo</translation>
+    </message>
 </context>
 <context>
     <name>farol::ui::MapActions</name>
@@ -2558,6 +2566,13 @@ Guía a una persona ciega por un edificio con una cámara corriente: reconoce lo
     </message>
 </context>
 <context>
+    <name>farol::ui::MapDocument</name>
+    <message>
+        <source>Load the map again</source>
+        <translation>Cargar el mapa de nuevo</translation>
+    </message>
+</context>
+<context>
     <name>farol::ui::MapPage</name>
     <message>
         <source>Saved in %1</source>
@@ -2694,6 +2709,46 @@ Guía a una persona ciega por un edificio con una cámara corriente: reconoce lo
     <message>
         <source>&amp;Open map…</source>
         <translation>&amp;Abrir mapa…</translation>
+    </message>
+    <message>
+        <source>Another program has changed the file of this map. You have changes of your own: loading it again puts them aside, and Ctrl+Z brings them back.</source>
+        <translation>Otro programa ha cambiado el archivo de este mapa. Usted tiene cambios propios: cargarlo de nuevo los aparta, y Ctrl+Z los recupera.</translation>
+    </message>
+    <message>
+        <source>Another program has changed the file of this map.</source>
+        <translation>Otro programa ha cambiado el archivo de este mapa.</translation>
+    </message>
+    <message>
+        <source>&amp;Load it again</source>
+        <translation>&amp;Cargarlo de nuevo</translation>
+    </message>
+    <message>
+        <source>The file %1 is no longer there. The map stays open here: save it, or it is lost when you leave.</source>
+        <translation>El archivo %1 ya no está. El mapa sigue abierto aquí: guárdelo, o se perderá al salir.</translation>
+    </message>
+    <message>
+        <source>Another program has changed the file of this map, and it cannot be read any more (%1). The map stays open here as it was: save it under another name.</source>
+        <translation>Otro programa ha cambiado el archivo de este mapa, que ya no se puede leer (%1). El mapa sigue abierto aquí como estaba: guárdelo con otro nombre.</translation>
+    </message>
+    <message>
+        <source>Not saved yet</source>
+        <translation>Aún no guardado</translation>
+    </message>
+    <message>
+        <source>Another program has changed the file of this map since it was read here.</source>
+        <translation>Otro programa ha cambiado el archivo de este mapa desde que se leyó aquí.</translation>
+    </message>
+    <message>
+        <source>Saving over it would lose what that program wrote.</source>
+        <translation>Guardar encima perdería lo que ese programa escribió.</translation>
+    </message>
+    <message>
+        <source>Save under &amp;another name…</source>
+        <translation>Guardar con otro &amp;nombre…</translation>
+    </message>
+    <message>
+        <source>Save &amp;over it</source>
+        <translation>Guardar &amp;encima</translation>
     </message>
 </context>
 <context>

@@ -2329,6 +2329,14 @@ Guide une personne aveugle dans un bâtiment avec une simple caméra : il recon
         <source>Open as landmark &amp;library</source>
         <translation>Ouvrir comme &amp;bibliothèque de repères</translation>
     </message>
+    <message>
+        <source>The file of this map was changed.</source>
+        <translation>Le fichier de ce plan a changé.</translation>
+    </message>
+    <message>
+        <source>&amp;Load it again</source>
+        <translation>&amp;Le charger à nouveau</translation>
+    </message>
 </context>
 <context>
     <name>farol::ui::MapActions</name>
@@ -2558,6 +2566,13 @@ Guide une personne aveugle dans un bâtiment avec une simple caméra : il recon
     </message>
 </context>
 <context>
+    <name>farol::ui::MapDocument</name>
+    <message>
+        <source>Load the map again</source>
+        <translation>Charger le plan à nouveau</translation>
+    </message>
+</context>
+<context>
     <name>farol::ui::MapPage</name>
     <message>
         <source>Saved in %1</source>
@@ -2694,6 +2709,46 @@ Guide une personne aveugle dans un bâtiment avec une simple caméra : il recon
     <message>
         <source>&amp;Open map…</source>
         <translation>&amp;Ouvrir une carte…</translation>
+    </message>
+    <message>
+        <source>Another program has changed the file of this map. You have changes of your own: loading it again puts them aside, and Ctrl+Z brings them back.</source>
+        <translation>Un autre programme a modifié le fichier de ce plan. Vous avez vos propres modifications : le charger à nouveau les met de côté, et Ctrl+Z les ramène.</translation>
+    </message>
+    <message>
+        <source>Another program has changed the file of this map.</source>
+        <translation>Un autre programme a modifié le fichier de ce plan.</translation>
+    </message>
+    <message>
+        <source>&amp;Load it again</source>
+        <translation>&amp;Le charger à nouveau</translation>
+    </message>
+    <message>
+        <source>The file %1 is no longer there. The map stays open here: save it, or it is lost when you leave.</source>
+        <translation>Le fichier %1 n’est plus là. Le plan reste ouvert ici : enregistrez-le, sinon il sera perdu quand vous quitterez.</translation>
+    </message>
+    <message>
+        <source>Another program has changed the file of this map, and it cannot be read any more (%1). The map stays open here as it was: save it under another name.</source>
+        <translation>Un autre programme a modifié le fichier de ce plan, qui n’est plus lisible (%1). Le plan reste ouvert ici tel qu’il était : enregistrez-le sous un autre nom.</translation>
+    </message>
+    <message>
+        <source>Not saved yet</source>
+        <translation>Pas encore enregistré</translation>
+    </message>
+    <message>
+        <source>Another program has changed the file of this map since it was read here.</source>
+        <translation>Un autre programme a modifié le fichier de ce plan depuis qu’il a été lu ici.</translation>
+    </message>
+    <message>
+        <source>Saving over it would lose what that program wrote.</source>
+        <translation>Enregistrer par-dessus perdrait ce que ce programme a écrit.</translation>
+    </message>
+    <message>
+        <source>Save under &amp;another name…</source>
+        <translation>Enregistrer sous un &amp;autre nom…</translation>
+    </message>
+    <message>
+        <source>Save &amp;over it</source>
+        <translation>Enregistrer &amp;par-dessus</translation>
     </message>
 </context>
 <context>

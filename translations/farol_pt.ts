@@ -2329,6 +2329,14 @@ Guia uma pessoa cega por um edifício com uma câmara comum: reconhece o que lhe
         <source>Open as landmark &amp;library</source>
         <translation>Abrir como &amp;biblioteca de pontos de referência</translation>
     </message>
+    <message>
+        <source>The file of this map was changed.</source>
+        <translation>O ficheiro deste mapa foi alterado.</translation>
+    </message>
+    <message>
+        <source>&amp;Load it again</source>
+        <translation>Carregar de no&amp;vo</translation>
+    </message>
 </context>
 <context>
     <name>farol::ui::MapActions</name>
@@ -2558,6 +2566,13 @@ Guia uma pessoa cega por um edifício com uma câmara comum: reconhece o que lhe
     </message>
 </context>
 <context>
+    <name>farol::ui::MapDocument</name>
+    <message>
+        <source>Load the map again</source>
+        <translation>Carregar o mapa de novo</translation>
+    </message>
+</context>
+<context>
     <name>farol::ui::MapPage</name>
     <message>
         <source>Saved in %1</source>
@@ -2694,6 +2709,46 @@ Guia uma pessoa cega por um edifício com uma câmara comum: reconhece o que lhe
     <message>
         <source>&amp;Open map…</source>
         <translation>&amp;Abrir mapa…</translation>
+    </message>
+    <message>
+        <source>Another program has changed the file of this map. You have changes of your own: loading it again puts them aside, and Ctrl+Z brings them back.</source>
+        <translation>Outro programa alterou o ficheiro deste mapa. Tem alterações suas: carregar de novo põe-nas de lado, e Ctrl+Z trá-las de volta.</translation>
+    </message>
+    <message>
+        <source>Another program has changed the file of this map.</source>
+        <translation>Outro programa alterou o ficheiro deste mapa.</translation>
+    </message>
+    <message>
+        <source>&amp;Load it again</source>
+        <translation>Carregar de no&amp;vo</translation>
+    </message>
+    <message>
+        <source>The file %1 is no longer there. The map stays open here: save it, or it is lost when you leave.</source>
+        <translation>O ficheiro %1 já não existe. O mapa continua aberto aqui: guarde-o, ou perde-se quando sair.</translation>
+    </message>
+    <message>
+        <source>Another program has changed the file of this map, and it cannot be read any more (%1). The map stays open here as it was: save it under another name.</source>
+        <translation>Outro programa alterou o ficheiro deste mapa, que já não pode ser lido (%1). O mapa continua aberto aqui como estava: guarde-o com outro nome.</translation>
+    </message>
+    <message>
+        <source>Not saved yet</source>
+        <translation>Ainda não guardado</translation>
+    </message>
+    <message>
+        <source>Another program has changed the file of this map since it was read here.</source>
+        <translation>Outro programa alterou o ficheiro deste mapa depois de ter sido lido aqui.</translation>
+    </message>
+    <message>
+        <source>Saving over it would lose what that program wrote.</source>
+        <translation>Guardar por cima perderia o que esse programa escreveu.</translation>
+    </message>
+    <message>
+        <source>Save under &amp;another name…</source>
+        <translation>Guardar com outro &amp;nome…</translation>
+    </message>
+    <message>
+        <source>Save &amp;over it</source>
+        <translation>Guardar por &amp;cima</translation>
     </message>
 </context>
 <context>

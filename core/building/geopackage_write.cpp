@@ -14,6 +14,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <exception>
+#include <fstream>
 #include <utility>
 
 namespace farol::building {
@@ -267,8 +268,11 @@ Result<void> copyOrigin(const std::string& origin, const std::filesystem::path& 
     if (!std::filesystem::is_regular_file(origin, failure)) return {};
     if (auto settled = settle(origin); !settled) return settled;
     std::filesystem::copy_file(origin, temporary, failure);
-    if (failure) return systemError(failure.value(), "cannot be copied before saving", origin);
-    return {};
+    if (!failure) return {};
+    if (std::ifstream(origin, std::ios::binary).good()) // the other end is at fault
+        return systemError(failure.value(), "the map cannot be written there",
+                           temporary.parent_path().string());
+    return systemError(failure.value(), "cannot be copied before saving", origin);
 }
 
 } // namespace

@@ -32,8 +32,52 @@ private:
     bool m_nudge;
 };
 
+/// The whole map replaced by what another program made of it.
+class OutsideCommand : public QUndoCommand {
+public:
+    OutsideCommand(MapDocument& document, MapWatch::Map before, MapWatch::Map after, const QString& text)
+        : QUndoCommand(text), m_document(document), m_before(std::move(before)), m_after(std::move(after)) {}
+
+    void redo() override { m_document.put(m_after); }
+    void undo() override { m_document.put(m_before); }
+
+private:
+    MapDocument& m_document;
+    MapWatch::Map m_before, m_after;
+};
+
 MapDocument::MapDocument(QObject* parent) : QObject(parent), m_background(this) {
     connect(&m_undo, &QUndoStack::cleanChanged, this, &MapDocument::stateChanged);
+    connectWatch();
+}
+
+void MapDocument::connectWatch() {
+    connect(&m_watch, &MapWatch::changed, this, [this](const MapWatch::Map& map, const FileStamp& stamp) {
+        m_outside = map;
+        m_outsideStamp = stamp;
+        setOnlyHere(false);
+        Q_EMIT changedOutside();
+    });
+    connect(&m_watch, &MapWatch::changedBack, this, [this] {
+        m_outside.reset();
+        setOnlyHere(false);
+        Q_EMIT outsideSettled();
+    });
+    connect(&m_watch, &MapWatch::gone, this, [this] {
+        setOnlyHere(true);
+        Q_EMIT fileGone();
+    });
+    connect(&m_watch, &MapWatch::unreadable, this, [this](const QString& message) {
+        setOnlyHere(true);
+        Q_EMIT fileUnreadable(message);
+    });
+}
+
+/// The file holds the map no more: leaving without a save would lose it.
+void MapDocument::setOnlyHere(bool only) {
+    m_outside = only ? nullptr : m_outside;
+    m_onlyHere = only;
+    Q_EMIT stateChanged();
 }
 
 MapDocument::~MapDocument() {
@@ -44,10 +88,11 @@ Result<MapDocument::Loaded> MapDocument::import(const std::string& source,
                                                 const building::ImportOptions& options) {
     auto imported = building::importBuilding(source, options);
     if (!imported) return imported.error();
-    return Loaded{std::move(imported->building), std::move(imported->findings), true};
+    return Loaded{std::move(imported->building), std::move(imported->findings), true, {}};
 }
 
 Result<MapDocument::Loaded> MapDocument::load(const std::string& source) {
+    const FileStamp stamp = FileStamp::of(toQString(source));
     auto loaded = building::loadBuilding(source);
     if (!loaded) {
         if (loaded.error().code == ErrorCode::NotFound && source.rfind("PG:", 0) == 0) return loaded.error();
@@ -56,7 +101,7 @@ Result<MapDocument::Loaded> MapDocument::load(const std::string& source) {
         return imported || loaded.error().code == ErrorCode::UnsupportedFormat ? std::move(imported)
                                                                                : loaded.error();
     }
-    Loaded result{loaded->building, building::checkBuilding(*loaded->building), false};
+    Loaded result{loaded->building, building::checkBuilding(*loaded->building), false, stamp};
     return result;
 }
 
@@ -100,30 +145,82 @@ void MapDocument::loaded(const QString& source, Result<Loaded> result) {
     m_neverSaved = m_imported;
     m_source = source;
     m_path = m_imported ? QString() : source;
+    m_onlyHere = false;
+    m_outside.reset();
+    m_watch.follow(m_path, result->stamp, m_building);
+    Q_EMIT outsideSettled();
     Q_EMIT opened();
     Q_EMIT findingsChanged();
     Q_EMIT stateChanged();
 }
 
-void MapDocument::save(const QString& path) {
+/// What stands in the file afterwards is read again: only then can another program's change be told from
+/// ours.
+Result<MapDocument::Saved> MapDocument::write(const building::Building& building, const QString& path,
+                                              const QString& origin) {
+    const auto saved = building::saveBuilding(building, toUtf8(path), toUtf8(origin));
+    if (!saved) return saved.error();
+    const FileStamp stamp = FileStamp::of(path);
+    if (!stamp.exists()) return Saved{}; // a database
+    auto again = building::loadBuilding(toUtf8(path));
+    if (!again) return again.error();
+    return Saved{stamp, std::move(again->building)};
+}
+
+void MapDocument::save(const QString& path, bool anyway) {
     if (!m_building || m_work != Work::None) return;
     begin(Work::Saving);
+    const bool guarded = !anyway && path == m_path;
+    const FileStamp known = m_watch.stamp();
+    const MapWatch::Map asRead = m_watch.asRead();
+    m_watch.lookAway();
     // Under another name, too, the file keeps what Farol does not know of: it begins as a copy of the old
     // one.
-    m_background.run([building = m_building, name = toUtf8(path),
-                      origin = toUtf8(m_path)] { return building::saveBuilding(*building, name, origin); },
-                     [this, path, what = m_building, step = m_undo.index()](Result<void> result) {
-                         begin(Work::None);
-                         if (!result) return void(Q_EMIT failed(toQString(result.error().text())));
-                         m_path = path;
-                         m_neverSaved = false;
-                         if (what == m_building && step == m_undo.index())
-                             m_undo.setClean();
-                         else
-                             m_undo.resetClean();
-                         Q_EMIT stateChanged();
-                         Q_EMIT saved(path);
-                     });
+    m_background.run(
+        [building = m_building, path, origin = m_onlyHere ? QString() : m_path, guarded, known,
+         asRead]() -> Result<Saved> {
+            if (guarded && MapWatch::changedSince(path, known, asRead)) return Saved{{}, {}, true};
+            return write(*building, path, origin);
+        },
+        [this, path, known, asRead, what = m_building, step = m_undo.index()](Result<Saved> result) {
+            begin(Work::None);
+            if (!result || result->overtaken) m_watch.follow(m_path, known, asRead);
+            if (!result) return void(Q_EMIT failed(toQString(result.error().text())));
+            if (result->overtaken) return void(Q_EMIT overtaken(path));
+            if (what == m_building && step == m_undo.index())
+                m_undo.setClean();
+            else
+                m_undo.resetClean();
+            written(path, *result);
+        });
+}
+
+void MapDocument::written(const QString& path, const Saved& saved) {
+    m_path = path;
+    m_neverSaved = false;
+    m_onlyHere = false;
+    m_outside.reset();
+    m_watch.follow(path, saved.stamp, saved.asRead);
+    Q_EMIT outsideSettled();
+    Q_EMIT stateChanged();
+    Q_EMIT this->saved(path);
+}
+
+void MapDocument::takeOutside() {
+    if (!m_outside || (m_work != Work::None && m_work != Work::Checking)) return;
+    const MapWatch::Map map = std::exchange(m_outside, nullptr);
+    m_watch.follow(m_path, m_outsideStamp, map);
+    m_undo.push(new OutsideCommand(*this, m_building, map, tr("Load the map again")));
+    m_undo.setClean();
+    Q_EMIT outsideSettled();
+    check();
+}
+
+void MapDocument::put(const std::shared_ptr<const building::Building>& building) {
+    m_building = building;
+    Q_EMIT replaced();
+    Q_EMIT findingsChanged();
+    Q_EMIT stateChanged();
 }
 
 void MapDocument::check() {

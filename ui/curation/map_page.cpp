@@ -55,6 +55,7 @@ MapPage::MapPage(Settings& settings, QWidget* parent)
     connectFiles();
     connectEdits();
     connectViews();
+    connectOutside();
     setAcceptDrops(true);
     m_halves->setSizes({780, 480});
     m_halves->restoreState(settings.splitter(QStringLiteral("map-halves")));

@@ -73,7 +73,10 @@ private:
     void connectFiles();
     void connectEdits();
     void connectViews();
+    void connectOutside();
+    void askOvertaken(const QString& path);
     void showOpened();
+    void showReplaced();
     void showEdited(const building::Edit& edit);
     void showWork();
     void showFailure(const QString& message);

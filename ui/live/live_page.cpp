@@ -320,7 +320,7 @@ std::vector<QWidget*> LivePage::tables() const {
 void LivePage::restoreLayout() {
     m_halves->setSizes({430, 180});
     m_views->setSizes({500, 500});
-    m_lists->setSizes({480, 380, 400});
+    m_lists->setSizes({450, 350, 460}); // the last one has tabs, in the longest language too
     m_views->restoreState(m_settings.splitter(QStringLiteral("views")));
     m_lists->restoreState(m_settings.splitter(QStringLiteral("lists")));
     m_halves->restoreState(m_settings.splitter(QStringLiteral("halves")));

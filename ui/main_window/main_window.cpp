@@ -97,6 +97,7 @@ MainWindow::MainWindow(Settings& settings, Walk::OpenSource open, SpeechDesk::Ma
     connectPages();
     connectDemo();
     connectTraining();
+    connectMapWatch();
     connectSupervision();
     connectSettings();
     showPage(Page::Walk);

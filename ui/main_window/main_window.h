@@ -1,6 +1,7 @@
 #pragma once
 // The workstation's window: pages, menus, keys.
 
+#include "ui/convert/map_watch.h"
 #include "ui/curation/map_page.h"
 #include "ui/demo/demo.h"
 #include "ui/live/live_page.h"
@@ -67,6 +68,7 @@ private:
     void connectPages();
     void connectDemo();
     void connectTraining();
+    void connectMapWatch();
     void connectSupervision();
     void connectSettings();
     void showHelp();
@@ -99,6 +101,7 @@ private:
     DemoBar* m_demoBar;
     LocaliserMenu* m_localisers;
     ProfileMenu* m_profiles;
+    MapWatch m_mapWatch;       ///< of the walk's map
     Calibration m_calibration; ///< of the walk that is shown, where its truth is known
     TrainingPage* m_trainingPage;
     QStackedWidget* m_pages;

@@ -23,6 +23,7 @@ namespace farol::ui {
 namespace {
 
 const QString kLibrary = QStringLiteral("library");
+const QString kMapChanged = QStringLiteral("map-changed");
 
 } // namespace
 
@@ -105,6 +106,33 @@ void MainWindow::connectTraining() {
                                               m_walk.play();
                                           },
                                           true});
+    });
+}
+
+/// A map that is changed while one walks by it, here on the Map page or by another program: the walk goes on
+/// with what it knows until the user says otherwise.
+void MainWindow::connectMapWatch() {
+    connect(&m_walk, &Walk::mapChanged, this, [this] {
+        m_page->banners().hide(kMapChanged);
+        const QString file = m_walk.mapName();
+        m_mapWatch.follow(file, FileStamp::of(file), m_walk.building());
+    });
+    connect(&m_mapWatch, &MapWatch::changedBack, this, [this] { m_page->banners().hide(kMapChanged); });
+    connect(&m_mapWatch, &MapWatch::changed, this, [this] {
+        m_page->banners().show(kMapChanged,
+                               {BannerKind::Note, tr("The file of this map was changed."),
+                                m_walk.active() ? tr("Start &again with it") : tr("&Load it again"),
+                                [this] {
+                                    const bool walking = m_walk.active();
+                                    const auto idOf = [](const std::optional<RegionId>& region) {
+                                        return region ? toQString(region->value) : QString();
+                                    };
+                                    m_from = idOf(m_walk.start());
+                                    m_to = idOf(m_walk.destination());
+                                    m_walk.loadMap(m_walk.mapName());
+                                    if (walking) m_walk.play();
+                                },
+                                true});
     });
 }
 

@@ -6,6 +6,7 @@
 #include "ui/training/training_page.h"
 #include "ui/training/training_words.h"
 
+#include <QComboBox>
 #include <QInputDialog>
 
 namespace farol::ui {
@@ -52,6 +53,7 @@ void TrainingPage::merge() {
         tr("The views of this landmark go to “%1”, and it is deleted:").arg(nameOf(templates[into])));
     ask->setComboBoxItems(names);
     ask->setComboBoxEditable(false);
+    for (auto* list : ask->findChildren<QComboBox*>()) list->setAccessibleName(ask->labelText());
     connect(ask, &QInputDialog::textValueSelected, this, [this, into, rows, names](const QString& text) {
         const qsizetype at = names.indexOf(text);
         if (at < 0) return;

@@ -21,7 +21,6 @@ constexpr float kRadToDeg = 57.29578F;
 constexpr float kLog2 = 0.6931472F;
 constexpr double kLetters = 36.0, kGuessedLetter = 1.0 / 30.0;
 constexpr double kViewM2 = 7.0; // full views of a wall object, in square metres of a corridor
-constexpr double kPlaceFalse = 0.02;
 
 std::size_t indexOf(Kind kind) {
     return static_cast<std::size_t>(kind);
@@ -155,7 +154,8 @@ Result<void> SensorOptions::check() const {
     bool sigmas = positionSigmaM > 0.0 && bearingSigmaDeg > 0.0 && zoneSigmaDeg > 0.0 && placeSigmaM > 0.0 &&
                   placeSigmaDeg > 0.0;
     bool shares = sameKind > 0.0 && sameKind <= 1.0 && mappedFalseText >= 0.0 && mappedFalseText < 1.0 &&
-                  otherTemplate >= 0.0 && otherTemplate <= 1.0;
+                  otherTemplate >= 0.0 && otherTemplate <= 1.0 && unsurveyedTwin >= 0.0 &&
+                  unsurveyedTwin <= 1.0 && lookAlikeFalse >= 0.0;
     if (rates && sigmas && shares) return {};
     return Error{ErrorCode::InvalidArgument, "rates and deviations are above 0, shares from 0 to 1",
                  "bayes.sensors"};
@@ -182,7 +182,13 @@ void SensorModel::addLandmarks() {
             item.nx = static_cast<float>(std::cos(landmark.heading->value));
             item.ny = static_cast<float>(std::sin(landmark.heading->value));
         }
-        auto index = static_cast<std::uint32_t>(m_items.size());
+        if (!landmark.templateId.empty())
+            item.templateIndex =
+                m_templates
+                    .try_emplace(landmark.templateId.value, static_cast<std::int32_t>(m_templates.size()))
+                    .first->second;
+        if (landmark.kind == Kind::Place && item.templateIndex >= 0)
+            m_placesOf[item.templateIndex].push_back(static_cast<std::uint32_t>(m_items.size()));
         if (std::string text = foldedForMatching(landmark.text); !text.empty()) {
             item.text = texts.try_emplace(text, static_cast<std::int32_t>(texts.size())).first->second;
             if (static_cast<std::size_t>(item.text) == m_texts.size()) {
@@ -191,23 +197,24 @@ void SensorModel::addLandmarks() {
                 m_shareOfText.push_back(0.0F);
             }
         }
-        if (!landmark.templateId.empty())
-            item.templateIndex =
-                m_templates
-                    .try_emplace(landmark.templateId.value, static_cast<std::int32_t>(m_templates.size()))
-                    .first->second;
-        double size = std::max(1.0, area(building.regions()[*region].polygon));
-        item.share = static_cast<float>(std::min(size, kViewM2) * m_map->weightOf(item.region) / size /
-                                        std::max(1.0, m_map->totalWeight()));
-        m_itemsOfKind[item.kind].push_back(index);
-        auto& sums = m_sharesUpTo[item.kind];
-        sums.push_back((sums.empty() ? 0.0F : sums.back()) + item.share);
-        if (item.text >= 0 && wordy(landmark.kind)) {
-            m_itemsOfText[static_cast<std::size_t>(item.text)].push_back(index);
-            m_shareOfText[static_cast<std::size_t>(item.text)] += item.share;
-        }
-        m_items.push_back(item);
+        addItem(item);
     }
+    addTwins();
+}
+
+void SensorModel::addItem(Item item) {
+    auto index = static_cast<std::uint32_t>(m_items.size());
+    double size = std::max(1.0, area(m_map->building().regions()[item.region].polygon));
+    item.share = static_cast<float>(std::min(size, kViewM2) * m_map->weightOf(item.region) / size /
+                                    std::max(1.0, m_map->totalWeight()));
+    m_itemsOfKind[item.kind].push_back(index);
+    auto& sums = m_sharesUpTo[item.kind];
+    sums.push_back((sums.empty() ? 0.0F : sums.back()) + item.share);
+    if (item.text >= 0 && wordy(static_cast<Kind>(item.kind))) {
+        m_itemsOfText[static_cast<std::size_t>(item.text)].push_back(index);
+        m_shareOfText[static_cast<std::size_t>(item.text)] += item.share;
+    }
+    m_items.push_back(item);
 }
 
 void SensorModel::addViews() {
@@ -293,23 +300,12 @@ float SensorModel::factorOf(const Look& look, const Item& item) const {
         if (item.text < 0) return 0.0F;
         factor *= look.textFactor[static_cast<std::size_t>(item.text)];
     }
+    if (item.twin) factor *= static_cast<float>(m_options.unsurveyedTwin);
+    if (!look.placeFactor.empty() && item.templateIndex >= 0)
+        return factor * look.placeFactor[static_cast<std::size_t>(item.templateIndex)];
     if (look.hasTemplate && item.templateIndex >= 0 && item.templateIndex != look.templateIndex)
         factor *= static_cast<float>(m_options.otherTemplate);
     return factor;
-}
-
-float SensorModel::placeRatio(const Look& look, const Item& item, Spot at, const Gaze& gaze,
-                              float factor) const {
-    auto sigma = static_cast<float>(m_options.placeSigmaM),
-         turn = static_cast<float>(m_options.placeSigmaDeg);
-    float dx = item.at.x - at.x, dy = item.at.y - at.y;
-    float near = std::exp(-0.5F * (dx * dx + dy * dy) / (sigma * sigma));
-    float yaw = std::atan2(item.ny, item.nx) * kRadToDeg;
-    float off = wrapDeg(yaw - gaze.yawDeg);
-    float known = std::exp(-0.5F * off * off / (turn * turn + gaze.variance)) * turn /
-                  std::sqrt(turn * turn + gaze.variance);
-    float any = turn * 2.5066F / 360.0F;
-    return factor * near * (known * (1.0F - gaze.unknownShare) + any * gaze.unknownShare) * look.inverseFalse;
 }
 
 float SensorModel::likelihoodOf(const Look& look, const Geometry& geometry, const Gaze& gaze) const {
@@ -432,7 +428,7 @@ Look SensorModel::prepare(const Detection& detection) const {
             static_cast<float>(m_options.detectionsPerSecond * prominence(actual) * share);
     }
     double falseLikelihood = m_options.falsePerSecond * falseShare(detection.kind);
-    if (detection.kind == Kind::Place) falseLikelihood = kPlaceFalse;
+    if (detection.kind == Kind::Place) falseLikelihood = falsePlace(detection.strength);
     // Inventions seldom last: what was seen again and again is more likely there.
     constexpr int kMostConfirmations = 4;
     falseLikelihood /= std::clamp(detection.confirmations, 1, kMostConfirmations);
@@ -441,6 +437,8 @@ Look SensorModel::prepare(const Detection& detection) const {
         look.hasTemplate = true;
         auto found = m_templates.find(detection.templateId.value);
         if (found != m_templates.end()) look.templateIndex = found->second;
+        if (detection.kind == Kind::Place && detection.strength > 0.0)
+            weighLookAlikes(detection, look, falseLikelihood);
         if (!m_templates.empty() && detection.kind != Kind::Place)
             falseLikelihood /= static_cast<double>(std::min<std::size_t>(20, m_templates.size()));
     }
@@ -482,7 +480,8 @@ void SensorModel::weighUniform(Look& look) const {
     auto add = [&](double part) { look.groupSums.push_back(sum += part); };
     if (look.hasTemplate) {
         for (const Item& item : m_items) {
-            bool counts = item.templateIndex == look.templateIndex || item.templateIndex < 0;
+            bool counts = !look.placeFactor.empty() || item.templateIndex == look.templateIndex ||
+                          item.templateIndex < 0;
             add(counts ? double(factorOf(look, item)) * double(item.share) : 0.0);
         }
         look.uniformRatio = sum * perFalse;

@@ -28,6 +28,10 @@ struct SensorOptions {
     double zoneSigmaDeg = 7.0; ///< when the bearing is guessed from the place in the picture
     double placeSigmaM = 1.5, placeSigmaDeg = 30.0; ///< from where a trained place is recognised
     double otherTemplate = 0.02; ///< a landmark is taken for one of another template of its kind
+    /// What floors of one building look like: an unsurveyed spot just above or below a place is taken for it,
+    /// against the place itself.
+    double unsurveyedTwin = 0.9;
+    double lookAlikeFalse = 10.0; ///< how much oftener a place is told wrongly where another fits as well
 
     Result<void> check() const;
 };
@@ -38,6 +42,9 @@ struct Look {
     std::array<float, kKindCount> kindFactor{}; ///< detections per second of a landmark of that kind
     std::vector<float> textFactor;              ///< of each distinct text of the map; empty: not a text
     std::int32_t templateIndex = -1;            ///< -1: none, or one that the map does not hold
+    /// Of a place that was told with its look-alikes: of each template of the map, how well the view fits it
+    /// beside the told one. Empty: not told.
+    std::vector<float> placeFactor;
     bool hasTemplate = false;
     float logRange = 0.0F; ///< natural logarithm of metres
     bool hasRange = false;
@@ -96,6 +103,7 @@ private:
         std::uint32_t region = 0;
         std::int32_t text = -1, templateIndex = -1;
         std::uint8_t kind = 0;
+        bool twin = false;  ///< no place, but what one on another floor may be mistaken for
         float share = 0.0F; ///< of all walking from where it is in view
     };
     struct View { ///< a landmark as seen from a region
@@ -111,7 +119,13 @@ private:
     };
 
     void addLandmarks();
+    void addItem(Item item);
+    void addTwins();
+    static bool surveyed(const Item& like, const std::vector<Item>& places);
     void addViews();
+    void weighLookAlikes(const recognition::Detection& detection, Look& look, double& falseFactor) const;
+    static double falsePlace(double strength);
+    bool elsewhere(std::int32_t one, std::int32_t other) const;
     bool geometryOf(const Item& item, const View& view, Spot at, Geometry& geometry) const;
     static float inPicture(float offDeg, float steepness);
     float rateOf(const Item& item, const Geometry& geometry) const;
@@ -136,6 +150,7 @@ private:
     std::vector<std::vector<std::uint32_t>> m_itemsOfText;
     std::vector<float> m_shareOfText;
     std::map<std::string, std::int32_t> m_templates;
+    std::map<std::int32_t, std::vector<std::uint32_t>> m_placesOf; ///< of each template, without twins
     std::array<std::vector<std::uint32_t>, kKindCount> m_itemsOfKind;
     std::array<std::vector<float>, kKindCount> m_sharesUpTo;
 };

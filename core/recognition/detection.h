@@ -14,6 +14,12 @@
 
 namespace farol::recognition {
 
+/// A trained place that the view fits too.
+struct LookAlike {
+    TemplateId templateId;
+    double strength = 0.0; ///< of the geometry found, comparable with Detection::strength
+};
+
 /// Found in a frame. `quad` in pixels of the full frame. `bearing` from the optical axis, left positive.
 struct Detection {
     Kind kind = Kind::Other;
@@ -23,6 +29,10 @@ struct Detection {
     ImageSize image;
     double score = 0.0; ///< 0 to 1, comparable within a kind
     int inliers = 0;    ///< matched keypoints that fit; 0 where that has no meaning
+    /// Of a place: how much of the view its geometry explains, and what it would explain of others. 0: not
+    /// told.
+    double strength = 0.0;
+    std::vector<LookAlike> lookAlikes;
     std::optional<double> rangeM;
     std::optional<double> rangeSpread; ///< one standard deviation, as a share of the range
     std::optional<Radians> bearing;

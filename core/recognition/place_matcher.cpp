@@ -19,6 +19,10 @@ constexpr int kFewestCells = 5;
 constexpr double kLeastSpread = 0.035;
 constexpr double kLeastStrength = 9.0;
 constexpr double kRivalShare = 0.6;
+/// Places beyond the candidates that are looked at as well once one is told: which others does it fit?
+constexpr int kMoreRivals = 10;
+constexpr int kFewestAlike = 8;     // inliers
+constexpr double kAlikeShare = 0.4; // of the told place's strength; weaker ones are chance
 
 float angleBetween(float a, float b) {
     float difference = std::fmod(a - b + 540.0F, 360.0F);
@@ -154,7 +158,7 @@ void PlaceMatcher::add(const Template& entry, std::vector<cv::Mat>& descriptors)
     }
 }
 
-std::vector<int> PlaceMatcher::candidates(const Features& frame) const {
+std::vector<int> PlaceMatcher::candidates(const Features& frame, int most) const {
     Neighbours near = m_index.search(comparable(m_extractor, frame.descriptors), m_options.neighbours,
                                      m_options.searchChecks);
     std::vector<double> votes(m_views.size(), 0.0);
@@ -177,8 +181,7 @@ std::vector<int> PlaceMatcher::candidates(const Features& frame) const {
     std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
         return votes[static_cast<std::size_t>(a)] > votes[static_cast<std::size_t>(b)];
     });
-    if (order.size() > static_cast<std::size_t>(m_options.placeCandidates))
-        order.resize(static_cast<std::size_t>(m_options.placeCandidates));
+    order.resize(std::min(order.size(), static_cast<std::size_t>(most)));
     return order;
 }
 
@@ -219,7 +222,8 @@ PlaceSupport PlaceMatcher::verified(ImageSize frameSize, const Features& frame, 
 std::vector<PlaceSupport> PlaceMatcher::supports(ImageSize frameSize, const Features& frame) const {
     std::vector<PlaceSupport> supports;
     if (empty() || frame.descriptors.rows < 8) return supports;
-    for (int view : candidates(frame)) supports.push_back(verified(frameSize, frame, view));
+    for (int view : candidates(frame, m_options.placeCandidates))
+        supports.push_back(verified(frameSize, frame, view));
     std::stable_sort(supports.begin(), supports.end(), [](const PlaceSupport& a, const PlaceSupport& b) {
         return a.strength() > b.strength();
     });
@@ -231,6 +235,26 @@ bool PlaceMatcher::sameSpot(int a, int b) const {
     const View& view = *m_views[static_cast<std::size_t>(a)].view;
     PlaceSupport support = verified(view.size, view.features, b);
     return support.inliers >= m_options.minPlaceInliers && support.strength() >= m_options.minPlaceInliers;
+}
+
+/// Each other place once, with its best view. Whether it is a neighbour or a look-alike elsewhere only the
+/// map knows.
+void PlaceMatcher::addLookAlikes(Detection& told, const std::vector<PlaceSupport>& ranked,
+                                 ImageSize frameSize, const Features& frame) const {
+    std::map<TemplateId, double> strongest;
+    std::set<int> verifiedViews;
+    auto note = [&](const PlaceSupport& support) {
+        verifiedViews.insert(support.view);
+        const TemplateId& id = placeOf(support.view).id;
+        bool fits = support.inliers >= kFewestAlike && support.strength() >= kAlikeShare * told.strength;
+        if (fits && id != told.templateId) strongest[id] = std::max(strongest[id], support.strength());
+    };
+    for (const PlaceSupport& support : ranked) note(support);
+    for (int view : candidates(frame, m_options.placeCandidates + kMoreRivals))
+        if (verifiedViews.count(view) == 0) note(verified(frameSize, frame, view));
+    for (const auto& [id, strength] : strongest) told.lookAlikes.push_back({id, strength});
+    std::stable_sort(told.lookAlikes.begin(), told.lookAlikes.end(),
+                     [](const LookAlike& a, const LookAlike& b) { return a.strength > b.strength; });
 }
 
 DetectorResult PlaceMatcher::match(ImageSize frameSize, const Features& frame) const {
@@ -269,6 +293,8 @@ DetectorResult PlaceMatcher::match(ImageSize frameSize, const Features& frame) c
     // The support itself, not its lead: a neighbouring place that fits as well is no reason to doubt the
     // spot.
     detection.score = best.strength() / (best.strength() + kLeastStrength);
+    detection.strength = best.strength();
+    addLookAlikes(detection, ranked, frameSize, frame);
     result.detections.push_back(std::move(detection));
     return result;
 }

@@ -42,7 +42,9 @@ private:
     };
 
     void add(const Template& entry, std::vector<cv::Mat>& descriptors);
-    std::vector<int> candidates(const Features& frame) const;
+    std::vector<int> candidates(const Features& frame, int most) const;
+    void addLookAlikes(Detection& told, const std::vector<PlaceSupport>& ranked, ImageSize frameSize,
+                       const Features& frame) const;
     PlaceSupport verified(ImageSize frameSize, const Features& frame, int view) const;
     bool sameSpot(int a, int b) const;
 

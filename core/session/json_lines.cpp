@@ -1,6 +1,7 @@
 #include "core/session/json_lines.h"
 
 #include "core/base/zone.h"
+#include "core/session/place_json.h"
 
 #include <algorithm>
 #include <cmath>
@@ -49,6 +50,7 @@ Json detectionJson(const Percept& percept, const recognition::Detection& detecti
         {printedNumber(box.x), printedNumber(box.y), printedNumber(box.width), printedNumber(box.height)});
     json["image"] = Json::array({detection.image.width, detection.image.height});
     json["score"] = printedNumber(detection.score);
+    addLookAlikes(json, detection, printedNumber);
     json["range_m"] = detection.rangeM ? printedNumber(*detection.rangeM) : Json(nullptr);
     if (detection.rangeSpread) json["range_spread"] = printedNumber(*detection.rangeSpread);
     json["bearing_deg"] = detection.bearing ? degreesJson(*detection.bearing) : Json(nullptr);

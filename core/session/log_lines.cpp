@@ -2,6 +2,8 @@
 
 #include "core/session/json_lines.h"
 
+#include "core/session/place_json.h"
+
 #include <limits>
 #include <set>
 
@@ -44,6 +46,7 @@ Result<LogLine> readDetection(JsonFields& fields, double time) {
     detection.image = readSize(fields, "image");
     detection.score = fields.numberOr("score", 1.0);
     if (detection.score < 0.0 || detection.score > 1.0) fields.complain("\"score\" is not between 0 and 1");
+    readLookAlikes(fields, detection);
     detection.rangeM = fields.optionalNumber("range_m");
     if (detection.rangeM && *detection.rangeM < 0.0) fields.complain("\"range_m\" is negative");
     detection.rangeSpread = fields.optionalNumber("range_spread");

@@ -2,6 +2,8 @@
 
 #include "core/session/json_lines.h"
 
+#include "core/session/place_json.h"
+
 #include <limits>
 
 namespace farol::session {
@@ -47,6 +49,7 @@ Json detectionJson(const recognition::Detection& detection) {
     json["image"] = sizeJson(detection.image);
     json["score"] = exactNumber(detection.score);
     if (detection.inliers != 0) json["inliers"] = detection.inliers;
+    addLookAlikes(json, detection, exactNumber);
     if (detection.rangeM) json["range_m"] = exactNumber(*detection.rangeM);
     if (detection.rangeSpread) json["range_spread"] = exactNumber(*detection.rangeSpread);
     if (detection.bearing) json["bearing_rad"] = exactNumber(detection.bearing->value);
@@ -64,6 +67,7 @@ recognition::Detection detectionFrom(JsonFields& fields) {
     detection.image = sizeFrom(fields, "image");
     detection.score = fields.number("score");
     detection.inliers = static_cast<int>(fields.integerOr("inliers", 0, kMostInt, 0));
+    readLookAlikes(fields, detection);
     detection.rangeM = fields.optionalNumber("range_m");
     detection.rangeSpread = fields.optionalNumber("range_spread");
     if (auto bearing = fields.optionalNumber("bearing_rad")) detection.bearing = Radians{*bearing};

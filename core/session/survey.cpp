@@ -1,5 +1,6 @@
 #include "core/session/survey.h"
 
+#include "core/recognition/camera_model.h"
 #include "core/recognition/sharpness.h"
 #include "core/recognition/training.h"
 
@@ -17,8 +18,8 @@ namespace {
 using building::Building;
 using building::Landmark;
 
-/// Objects are recognised from a few metres away; a place from where it was taken.
-constexpr double kObjectRangeM = 4.0, kPlaceRangeM = 1.0;
+/// An object of unknown size may be recognised along half a corridor; a place from where it was taken.
+constexpr double kObjectRangeM = 10.0, kPlaceRangeM = 1.0;
 
 /// The way through all places, one after the other.
 Result<std::vector<routing::PathPoint>> wayThrough(const std::shared_ptr<const Building>& building,
@@ -43,7 +44,18 @@ struct Reading {
     std::vector<std::optional<Radians>> headings; ///< turned since the first frame; empty after a gap
 };
 
-std::vector<Anchor> anchorsOf(const Building& building, const recognition::DetectorResult& seen) {
+Anchor anchorOf(const Landmark& landmark, recognition::Detection detection,
+                const recognition::Template* trained, const recognition::CameraModel& camera) {
+    if (detection.kind == Kind::Place) return {landmark.position, landmark.level, kPlaceRangeM, {}, false};
+    if (trained != nullptr) recognition::place(detection, camera, trained->widthM, trained->heightM);
+    if (!detection.rangeM) return {landmark.position, landmark.level, kObjectRangeM, {}, true};
+    double spread = detection.rangeSpread.value_or(0.0) * *detection.rangeM;
+    return {landmark.position, landmark.level, *detection.rangeM, spread, true};
+}
+
+std::vector<Anchor> anchorsOf(const Building& building, const recognition::DetectorResult& seen,
+                              const recognition::LandmarkLibrary& library,
+                              const recognition::CameraModel& camera) {
     std::vector<Anchor> anchors;
     for (const recognition::Detection& detection : seen.detections) {
         const Landmark* only = nullptr;
@@ -55,8 +67,7 @@ std::vector<Anchor> anchorsOf(const Building& building, const recognition::Detec
         }
         // What hangs in several places does not tell where one is.
         if (count != 1) continue;
-        double range = detection.kind == Kind::Place ? kPlaceRangeM : kObjectRangeM;
-        anchors.push_back({only->position, only->level, range});
+        anchors.push_back(anchorOf(*only, detection, library.find(detection.templateId), camera));
     }
     return anchors;
 }
@@ -70,7 +81,9 @@ Reading readWalk(const Building& building, std::shared_ptr<const recognition::La
     std::optional<Radians> turned = Radians{0.0};
     while (auto frame = source.next()) {
         WalkedFrame walked{frame->capturedAt, motion.observe(frame->image, frame->capturedAt), {}};
-        if (recogniser) walked.anchors = anchorsOf(building, recogniser->recognise(frame->image));
+        if (recogniser)
+            walked.anchors = anchorsOf(building, recogniser->recognise(frame->image), *library,
+                                       recognition::CameraModel::assumed(frame->size(), options.viewDegrees));
         if (!reading.frames.empty())
             turned =
                 turned && walked.motion.turn ? std::optional(*turned + *walked.motion.turn) : std::nullopt;
@@ -111,7 +124,7 @@ public:
     }
 
     /// Empty outside every region of the map.
-    std::optional<Landmark> make(const routing::PathPoint& spot, Radians heading) {
+    std::optional<Landmark> make(const routing::PathPoint& spot, std::optional<Radians> heading) {
         auto region = m_building.regionAt(spot.position, spot.level);
         if (!region) return std::nullopt;
         Landmark place;
@@ -124,7 +137,7 @@ public:
         place.kind = Kind::Place;
         place.level = spot.level;
         place.position = spot.position;
-        place.heading = wrapped(heading);
+        if (heading) place.heading = wrapped(*heading);
         return place;
     }
 
@@ -153,6 +166,8 @@ Result<void> SurveyOptions::check() const {
     };
     if (!(std::isfinite(spacingM) && spacingM > 0.0)) return wrong("must be above 0 metres", "spacingM");
     if (!(maxBendDegrees > 0.0)) return wrong("must be above 0 degrees", "maxBendDegrees");
+    if (!(viewDegrees >= 20.0 && viewDegrees <= 140.0))
+        return wrong("a camera sees 20 to 140 degrees across", "viewDegrees");
     if (prefix.empty()) return wrong("the places need a name to begin with", "prefix");
     for (const Result<void>& checked : {alignment.check(), motion.check(), recogniser.check()})
         if (!checked) return checked;
@@ -188,8 +203,7 @@ Result<Survey> surveyWalk(const std::shared_ptr<const Building>& building,
         if (i != chosen[next]) continue;
         ++next;
         double at = (*metres)[i];
-        auto heading = headingAt(path, reading, i, at, options);
-        auto place = heading ? places.make(path.at(at), *heading) : std::nullopt;
+        auto place = places.make(path.at(at), headingAt(path, reading, i, at, options));
         std::vector<unsigned char> jpeg;
         bool encoded = place && cv::imencode(".jpg", frame->image, jpeg, {cv::IMWRITE_JPEG_QUALITY, 92});
         recognition::TrainingRequest request;

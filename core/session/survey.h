@@ -18,11 +18,12 @@ namespace farol::session {
 
 struct SurveyOptions {
     double spacingM = 1.0;
-    /// Views nearer than this to a bend are left out where the gyroscope was blind: their heading is not
-    /// known.
+    /// Of views nearer than this to a bend the heading is not known where the gyroscope was blind: they are
+    /// places without one.
     double maxBendDegrees = 25.0;
     double minSharpness = 3.0; ///< see sharpness.h
     std::string prefix = "place";
+    double viewDegrees = 60.0; ///< of the camera, along the longer side; for ranges
     AlignmentOptions alignment;
     recognition::VisualMotionOptions motion;
     recognition::RecogniserOptions recogniser;

@@ -161,6 +161,7 @@ public:
           m_headings(visualHeadings(frames, path)) {
         m_cells = static_cast<std::size_t>(std::ceil(path.lengthM() / options.cellM)) + 1;
         m_cell = path.lengthM() / static_cast<double>(m_cells - 1);
+        roundSteps();
         for (std::size_t i = 0; i < m_cells; ++i) {
             double metres = m_cell * static_cast<double>(i);
             m_spots.push_back(path.at(metres));
@@ -192,6 +193,19 @@ public:
     }
 
 private:
+    /// Whole cells, the rest carried over to the next step: where nothing else is known an even pace stays
+    /// even. Steps between two whole numbers of cells would be rounded up for a while and then down for a
+    /// while, at the same cost.
+    void roundSteps() {
+        double walked = 0.0, cells = 0.0;
+        for (Tick& tick : m_ticks) {
+            walked += tick.stepM;
+            double upTo = std::round(walked / m_cell);
+            tick.stepM = m_cell * (upTo - cells);
+            cells = upTo;
+        }
+    }
+
     /// The frames between two ticks share the way between them as their steps do.
     std::vector<double> between(const std::vector<double>& atTick) const {
         std::vector<double> metres(m_steps.size(), 0.0);
@@ -231,14 +245,22 @@ private:
             cost += std::min(1.0, tick.seconds) * std::min(0.5 * off * off, kMostCost);
         }
         for (const Anchor& anchor : tick.anchors) {
-            double away =
-                anchor.level == m_spots[cell].level
-                    ? std::max(0.0, distance(anchor.position, m_spots[cell].position) - anchor.rangeM)
-                    : std::numeric_limits<double>::infinity();
-            double off = away / m_options.anchorSpreadM;
+            double off = offOf(anchor, cell);
             cost += std::min(0.5 * off * off, kMostCost);
         }
         return cost;
+    }
+
+    /// By how many standard deviations what was seen does not fit a walker who is there.
+    double offOf(const Anchor& anchor, std::size_t cell) const {
+        if (anchor.level != m_spots[cell].level) return std::numeric_limits<double>::infinity();
+        Point2 to = anchor.position - m_spots[cell].position;
+        double beyond = length(to) - anchor.rangeM;
+        double off = anchor.rangeSpreadM ? beyond / std::hypot(m_options.anchorSpreadM, *anchor.rangeSpreadM)
+                                         : std::max(0.0, beyond) / m_options.anchorSpreadM;
+        if (!anchor.ahead || !m_ways[cell]) return off;
+        double passed = -(to.x * std::cos(m_ways[cell]->value) + to.y * std::sin(m_ways[cell]->value));
+        return std::hypot(off, std::max(0.0, passed) / m_options.anchorSpreadM);
     }
 
     AlignmentOptions m_options;

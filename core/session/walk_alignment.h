@@ -31,11 +31,14 @@ private:
     std::vector<double> m_at;
 };
 
-/// Something seen from a spot near `position`, no further away than `rangeM`.
+/// Something at `position` that was seen from no further away than `rangeM`; or, where the range was
+/// measured, from just there, give or take `rangeSpreadM`.
 struct Anchor {
     Point2 position;
     double level = 0.0;
     double rangeM = 3.0;
+    std::optional<double> rangeSpreadM = std::nullopt;
+    bool ahead = false; ///< an object in the picture lies before whoever walks; a place is where one stands
 };
 
 /// One frame of the walk. `motion` is what happened since the frame before.

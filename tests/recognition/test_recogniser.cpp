@@ -177,6 +177,27 @@ TEST(Recogniser, APlaceIsKnownAgainFromAStepAside) {
     EXPECT_THAT(recogniser.recognise(spot(9, 0.0)).detections, testing::IsEmpty());
 }
 
+TEST(Recogniser, APlaceTellsWhichOthersItLooksLike) {
+    // Two spots that share half of what is seen, and one that shares nothing.
+    auto library = std::make_shared<LandmarkLibrary>();
+    cv::Mat twin = spot(1, 12.0);
+    spot(2, 0.0)(cv::Rect(320, 0, 320, 480)).copyTo(twin(cv::Rect(320, 0, 320, 480)));
+    int number = 0;
+    for (const cv::Mat& view : {spot(1, 0.0), twin, spot(3, 0.0)}) {
+        TrainingRequest request;
+        request.id = TemplateId("spot-" + std::to_string(++number));
+        request.kind = Kind::Place;
+        ASSERT_TRUE(addView(*library, request, test::jpeg(view), {}));
+    }
+    auto found = LandmarkRecogniser(library).recognise(spot(1, 6.0)).detections;
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found[0].templateId.value, "spot-1");
+    EXPECT_GT(found[0].strength, 12.0);
+    ASSERT_EQ(found[0].lookAlikes.size(), 1U);
+    EXPECT_EQ(found[0].lookAlikes[0].templateId.value, "spot-2");
+    EXPECT_LT(found[0].lookAlikes[0].strength, found[0].strength);
+}
+
 TEST(Recogniser, TheSameCabinetElsewhereIsNotTheSamePlace) {
     auto library = std::make_shared<LandmarkLibrary>();
     cv::Mat trained = spot(1, 0.0);

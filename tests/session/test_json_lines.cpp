@@ -202,6 +202,37 @@ TEST(LogLines, AFollowedDetectionKeepsItsTrack) {
     EXPECT_EQ(kept->detections.at(0).confirmations, 3);
 }
 
+TEST(LogLines, APlaceKeepsItsLookAlikes) {
+    NavigationStep step;
+    recognition::Detection place = test::seen(Kind::Place, "hall-1-4", 320.0);
+    std::string plain = [&] {
+        NavigationStep other;
+        other.percept.detections.push_back(place);
+        return linesOf(other, nullptr).at(1);
+    }();
+    EXPECT_FALSE(Json::parse(plain).contains("strength"));
+    EXPECT_FALSE(Json::parse(plain).contains("look_alikes"));
+    place.strength = 17.25;
+    place.lookAlikes = {{TemplateId("hall-2-4"), 16.5}, {TemplateId("hall-3-4"), 9.0}};
+    step.percept.detections.push_back(place);
+    auto line = parseLogLine(linesOf(step, nullptr).at(1));
+    ASSERT_TRUE(line) << line.error().text();
+    auto kept = perceptFromJson(perceptJson(step.percept));
+    ASSERT_TRUE(kept);
+    for (const recognition::Detection& back :
+         {std::get<LogDetection>(*line).percept.detections.at(0), kept->detections.at(0)}) {
+        EXPECT_DOUBLE_EQ(back.strength, 17.25);
+        ASSERT_EQ(back.lookAlikes.size(), 2U);
+        EXPECT_EQ(back.lookAlikes[1].templateId, TemplateId("hall-3-4"));
+        EXPECT_DOUBLE_EQ(back.lookAlikes[1].strength, 9.0);
+    }
+    Json broken = Json::parse(linesOf(step, nullptr).at(1));
+    broken["look_alikes"][0]["strength"] = -1.0;
+    EXPECT_FALSE(parseLogLine(broken.dump()));
+    broken["look_alikes"] = Json::array({"hall"});
+    EXPECT_FALSE(parseLogLine(broken.dump()));
+}
+
 TEST(LogLines, TheOtherLinesOfAWalkOnlyTellTheTime) {
     NavigationStep step = stepWith(framed());
     for (const std::string& text : linesOf(step, nullptr)) {

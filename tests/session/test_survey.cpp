@@ -78,6 +78,31 @@ TEST(Survey, PlacesAreTrainedWhereTheWalkReallyWas) {
     EXPECT_NEAR(known->landmark.position.x, 12.3, 1.6);
 }
 
+TEST(Survey, AtABendWithoutMotionThePlaceHasNoHeading) {
+    // A frame every other second: too far apart for the gyroscope.
+    auto sparse = []() -> Result<std::unique_ptr<capture::FrameSource>> {
+        auto source = std::make_unique<farol::test::ScriptedSource>(16);
+        source->timeOf = [](std::size_t i) { return 2.0 * static_cast<double>(i); };
+        source->imageOf = [](std::size_t i) { return viewAt(4.0 + 9.0 * static_cast<double>(i)); };
+        return std::unique_ptr<capture::FrameSource>(std::move(source));
+    };
+    building::BuildingData data = corridor()->data();
+    data.regions[0].polygon.outer = {{0, -1.1}, {20, -1.1}, {20, 20}, {0, 20}};
+    auto square = std::make_shared<const building::Building>(std::move(data));
+    recognition::LandmarkLibrary library;
+    auto survey =
+        surveyWalk(square, library, sparse, {spot(3.0), spot(17.0), {RegionId("K"), Point2{17.0, 15.0}}});
+    ASSERT_TRUE(survey) << survey.error().text();
+    int without = 0;
+    for (const SurveyedPlace& place : survey->places) {
+        double corner = distance(place.landmark.position, Point2{17.0, 0.0});
+        without += place.landmark.heading ? 0 : 1;
+        EXPECT_TRUE(place.landmark.heading || corner < 1.5);
+    }
+    EXPECT_EQ(survey->leftOut, 0U);
+    EXPECT_GE(without, 1);
+}
+
 TEST(Survey, NothingIsChangedWhenTheWalkDoesNotFit) {
     recognition::LandmarkLibrary library;
     auto tooLong = surveyWalk(corridor(), library, recording, {spot(1.0), spot(59.0)});

@@ -47,6 +47,30 @@ TEST(WalkAlignment, WithoutMotionThePaceIsEven) {
     EXPECT_EQ(metres->back(), 20.0);
 }
 
+TEST(WalkAlignment, AnEvenPaceStaysEvenBetweenTwoCells) {
+    // 1.9 m a step: neither seven cells nor eight.
+    WalkedPath path({at(0, 0), at(74.1, 0)});
+    auto metres = alignWalk(path, evenly(40, 78.0));
+    ASSERT_TRUE(metres) << metres.error().text();
+    for (std::size_t i = 0; i < metres->size(); ++i)
+        EXPECT_NEAR((*metres)[i], 1.9 * static_cast<double>(i), 0.2) << "frame " << i;
+}
+
+TEST(WalkAlignment, AThingSeenFromFarAwayDoesNotDrawTheWalkToIt) {
+    auto frames = evenly(21, 25.0);
+    Anchor door{{10.0, 0.0}, 0.0, 8.0, 1.0, true};
+    frames[2].anchors = {door};
+    auto metres = alignWalk(bend(), frames);
+    ASSERT_TRUE(metres) << metres.error().text();
+    EXPECT_NEAR((*metres)[2], 2.0, 0.6);
+    // The same distance beyond the door is no fit: one does not see what lies behind.
+    frames = evenly(21, 25.0);
+    frames[9].anchors = {Anchor{{10.0, 0.0}, 0.0, 1.0, 0.2, true}};
+    metres = alignWalk(bend(), frames);
+    ASSERT_TRUE(metres) << metres.error().text();
+    EXPECT_NEAR((*metres)[9], 9.0, 0.6);
+}
+
 TEST(WalkAlignment, WhoStandsStillIsNotMoved) {
     auto frames = evenly(61, 60.0);
     for (std::size_t i = 1; i < frames.size(); ++i) frames[i].motion.speed = i > 20 && i <= 40 ? 0.0 : 0.7;

@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
-# Trains the corridor's landmark library from the first lap of the walk. Usage: train.sh OUT.gpkg
+# Trains the corridor's landmark library from the first lap of the walk. Usage: train.sh OUT.gpkg [objects]
+# objects: only these; the places come from a survey (tests/walk/check_corridor_survey.py).
 # FAROL_CLI: the farol-cli to use (default build/release/bin/farol-cli). FAROL_DATA: where the photographs are.
 set -euo pipefail
 here="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
 top="$(cd "$here/../../.." && pwd)"
-out="${1:?usage: train.sh OUT.gpkg}"
+out="${1:?usage: train.sh OUT.gpkg [objects]}"
 cli="${FAROL_CLI:-$top/build/release/bin/farol-cli}"
 lap="${FAROL_DATA:-$top/../shared/data}/images/corridor_walk"
 
@@ -21,7 +22,7 @@ while read -r template kind width picture outline name; do
 done <"$here/objects.txt"
 
 # Places: the whole view of the spot.
-while read -r picture template _; do
+[ "${2:-}" = objects ] || while read -r picture template _; do
   case "$picture" in ''|'#'*) continue ;; esac
   "$cli" train "$out" --template "$template" --kind place "$lap/$picture.jpg" >/dev/null
 done <"$here/places.txt"

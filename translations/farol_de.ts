@@ -6728,6 +6728,13 @@ Schalten Sie die Kamera ein, oder wählen Sie Bilder oder eine Aufnahme.</transl
     </message>
 </context>
 <context>
+    <name>farol::ui::UtteranceLog</name>
+    <message>
+        <source>What is said cannot be written to %1: %2. Choose another file.</source>
+        <translation>Was gesagt wird, kann nicht in %1 geschrieben werden: %2. Wählen Sie eine andere Datei.</translation>
+    </message>
+</context>
+<context>
     <name>farol::ui::UtteranceModel</name>
     <message>
         <source>Caused by picture %1</source>

@@ -6728,6 +6728,13 @@ Encienda la cámara, o elija imágenes o una grabación.</translation>
     </message>
 </context>
 <context>
+    <name>farol::ui::UtteranceLog</name>
+    <message>
+        <source>What is said cannot be written to %1: %2. Choose another file.</source>
+        <translation>Lo que se dice no se puede escribir en %1: %2. Elija otro archivo.</translation>
+    </message>
+</context>
+<context>
     <name>farol::ui::UtteranceModel</name>
     <message>
         <source>Caused by picture %1</source>

@@ -6728,6 +6728,13 @@ Allumez la caméra, ou choisissez des images ou un enregistrement.</translation>
     </message>
 </context>
 <context>
+    <name>farol::ui::UtteranceLog</name>
+    <message>
+        <source>What is said cannot be written to %1: %2. Choose another file.</source>
+        <translation>Ce qui est dit ne peut pas être écrit dans %1 : %2. Choisissez un autre fichier.</translation>
+    </message>
+</context>
+<context>
     <name>farol::ui::UtteranceModel</name>
     <message>
         <source>Caused by picture %1</source>

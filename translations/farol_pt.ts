@@ -6728,6 +6728,13 @@ Ligue a câmara, ou escolha imagens ou uma gravação.</translation>
     </message>
 </context>
 <context>
+    <name>farol::ui::UtteranceLog</name>
+    <message>
+        <source>What is said cannot be written to %1: %2. Choose another file.</source>
+        <translation>O que é dito não pode ser escrito em %1: %2. Escolha outro ficheiro.</translation>
+    </message>
+</context>
+<context>
     <name>farol::ui::UtteranceModel</name>
     <message>
         <source>Caused by picture %1</source>

@@ -50,6 +50,7 @@ ui::KioskStart startOf(const Options& options, ui::Settings& settings, const ui:
     start.framesPerSecond = options.begin.framesPerSecond;
     start.from = options.begin.from;
     start.to = options.begin.to;
+    start.utteranceFile = options.utterances;
     return start;
 }
 

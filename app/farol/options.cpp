@@ -78,6 +78,8 @@ Options optionsFrom(const QStringList& arguments) {
     const auto size = value("size", "WxH", "Size of the window");
     const auto selfTest = flag("self-test", "Start, load, quit");
     const auto kiosk = flag("kiosk", "For a blind user: full screen, by keys and speech alone");
+    const auto utterances =
+        value("utterances", "file", "The kiosk writes there what it says, when and why (JSON lines)");
     const auto watched = flag("watched", "The kiosk without the process that starts it again after a crash");
     parser.addHelpOption();
     parser.addVersionOption();
@@ -107,6 +109,7 @@ Options optionsFrom(const QStringList& arguments) {
     options.alike = parser.isSet(alike);
     options.selfTest = parser.isSet(selfTest);
     options.kiosk = parser.isSet(kiosk);
+    options.utterances = parser.value(utterances);
     options.watched = parser.isSet(watched);
     return options;
 }

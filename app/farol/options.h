@@ -23,6 +23,7 @@ struct Options {
     bool alike = false; ///< mark the places that look alike
     bool selfTest = false;
     bool kiosk = false;   ///< for a blind user: full screen, keys and speech alone
+    QString utterances;   ///< file for what the kiosk says; empty: none
     bool watched = false; ///< the kiosk itself, which another process starts again after a crash
 };
 

@@ -32,7 +32,7 @@ UI = {
     "demo": {"convert", "speech", "settings", "models", "map", "parts", "live"},
     "training": {"convert", "speech", "settings", "models", "map", "parts"},
     "curation": {"convert", "speech", "settings", "models", "map", "parts"},
-    "kiosk": {"convert", "speech", "settings", "models", "map", "parts", "live"},
+    "kiosk": {"convert", "speech", "settings", "models", "map", "parts", "live", "demo"},
     "main_window": {"convert", "speech", "settings", "models", "map", "parts", "live", "demo", "training", "curation", "kiosk"},
 }
 # Words are made from guidance's cues alone: the Phrasebook must not see sessions or pictures.

@@ -7,6 +7,8 @@
 
 #include <QElapsedTimer>
 #include <QFile>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QLabel>
 #include <QScrollArea>
 #include <QSignalSpy>
@@ -48,12 +50,17 @@ private Q_SLOTS:
     void aCrashIsRememberedAndAGoodEndIsNot();
     void theLanguageChangesAtOnce();
     void keysSpeakBeforeALongWalk();
+    void everyKeyOfThePageSpeaks_data();
+    void everyKeyOfThePageSpeaks();
+    void whatIsSaidIsWrittenDown();
+    void theSimulatedUserStandsThere();
     void thePageHasNamesAndLargeLetters();
 
 private:
     void make(std::uint64_t frames = 1000000, const QString& from = QStringLiteral("c"));
     void start();
     void key(int key, const QString& text = {});
+    void bring(KioskState state);
     bool heard(const char* part) const;
 
     QTemporaryDir m_folder;
@@ -272,6 +279,114 @@ void KioskTest::keysSpeakBeforeALongWalk() {
         key(Qt::Key_Down);
         QTRY_VERIFY(m_log.size() > before);
     }
+}
+
+void KioskTest::everyKeyOfThePageSpeaks_data() {
+    QTest::addColumn<KioskState>("state");
+    for (const auto& [name, state] :
+         std::initializer_list<std::pair<const char*, KioskState>>{{"list", KioskState::Choosing},
+                                                                   {"search", KioskState::Typing},
+                                                                   {"preview", KioskState::Preview},
+                                                                   {"walking", KioskState::Walking},
+                                                                   {"arrived", KioskState::Arrived},
+                                                                   {"stop?", KioskState::StopQuestion},
+                                                                   {"leave?", KioskState::LeaveQuestion},
+                                                                   {"keys", KioskState::Help}})
+        QTest::newRow(name) << state;
+}
+
+/// To a state by keys, as a user comes there.
+void KioskTest::bring(KioskState state) {
+    KioskMachine& machine = m_kiosk->machine();
+    for (int i = 0; i < 6 && machine.state() != KioskState::Choosing; ++i) {
+        const bool stays = machine.state() == KioskState::LeaveQuestion; // Escape would be a yes
+        key(stays ? Qt::Key_Down : Qt::Key_Escape);
+    }
+    QCOMPARE(machine.state(), KioskState::Choosing);
+    if (state == KioskState::Typing) key(Qt::Key_F);
+    if (state == KioskState::LeaveQuestion) key(Qt::Key_Escape);
+    if (state == KioskState::Help) key(Qt::Key_F1);
+    const bool way =
+        state == KioskState::Preview || state == KioskState::Walking || state == KioskState::StopQuestion;
+    if (way || state == KioskState::Arrived) {
+        key(way ? Qt::Key_End : Qt::Key_Home);
+        if (!way) key(Qt::Key_Down); // where one is already
+        key(Qt::Key_Return);
+    }
+    if (state == KioskState::Walking || state == KioskState::StopQuestion) key(Qt::Key_Return);
+    if (state == KioskState::StopQuestion) key(Qt::Key_Escape);
+    QTRY_COMPARE_WITH_TIMEOUT(machine.state(), state, 60000);
+}
+
+/// Also those that mean nothing there, and those that the walk has to answer.
+void KioskTest::everyKeyOfThePageSpeaks() {
+    QFETCH(KioskState, state);
+    start();
+    QList<int> keys{Qt::Key_Escape,   Qt::Key_Tab,     Qt::Key_Backtab, Qt::Key_Backspace, Qt::Key_Return,
+                    Qt::Key_Insert,   Qt::Key_Delete,  Qt::Key_Home,    Qt::Key_End,       Qt::Key_Left,
+                    Qt::Key_Up,       Qt::Key_Right,   Qt::Key_Down,    Qt::Key_PageUp,    Qt::Key_PageDown,
+                    Qt::Key_CapsLock, Qt::Key_NumLock, Qt::Key_Menu,    Qt::Key_F1,        Qt::Key_F4,
+                    Qt::Key_F12,      Qt::Key_Space,   Qt::Key_Plus,    Qt::Key_Minus,     Qt::Key_7};
+    for (int letter = Qt::Key_A; letter <= Qt::Key_Z; ++letter) keys << letter;
+    for (const int each : keys) {
+        m_settings->setTwoKeys(false);
+        bring(state);
+        if (QTest::currentTestFailed()) return;
+        const bool leaves =
+            state == KioskState::LeaveQuestion && (each == Qt::Key_Escape || each == Qt::Key_Return);
+        if (leaves) continue; // see itLeavesAfterTheLastWords()
+        m_log.clear();
+        key(each);
+        QTRY_VERIFY2_WITH_TIMEOUT(!m_log.isEmpty() && !m_log.last().isEmpty(),
+                                  qPrintable(QStringLiteral("key %1").arg(each)), 60000);
+    }
+}
+
+void KioskTest::whatIsSaidIsWrittenDown() {
+    m_start.utteranceFile = m_folder.filePath(QStringLiteral("said.jsonl"));
+    QFile::remove(m_start.utteranceFile);
+    start();
+    key(Qt::Key_Down);
+    key(Qt::Key_W);
+    QTRY_VERIFY_WITH_TIMEOUT(heard("Main corridor"), 60000);
+    QFile file(m_start.utteranceFile);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    QJsonObject answer, place;
+    double pressed = 0.0;
+    while (!file.atEnd()) {
+        const QJsonObject line = QJsonDocument::fromJson(file.readLine()).object();
+        if (line[QStringLiteral("key")] == QStringLiteral("Down") && !line.contains(QStringLiteral("text")))
+            pressed = line[QStringLiteral("at")].toDouble();
+        if (line[QStringLiteral("state")] != QStringLiteral("speaking")) continue;
+        if (line[QStringLiteral("cause")] == QStringLiteral("located")) place = line;
+        if (line[QStringLiteral("text")].toString().endsWith(QLatin1String("1 of 6."))) answer = line;
+    }
+    QVERIFY(pressed > 0.0 && answer[QStringLiteral("at")].toDouble() >= pressed);
+    QCOMPARE(answer[QStringLiteral("cause")].toString(), QStringLiteral("key"));
+    QCOMPARE(answer[QStringLiteral("key")].toString(), QStringLiteral("Down"));
+    QVERIFY(answer[QStringLiteral("age_ms")].toDouble() >= 0.0);
+    QCOMPARE(place[QStringLiteral("key")].toString(), QStringLiteral("W"));
+    QVERIFY(place[QStringLiteral("asked")].toBool() && place.contains(QStringLiteral("frame")));
+
+    m_start.utteranceFile = m_folder.filePath(QStringLiteral("none/said.jsonl"));
+    make(); // it goes on without
+    QVERIFY(m_kiosk->detail().contains(QLatin1String("said.jsonl")));
+    QTRY_VERIFY_WITH_TIMEOUT(heard("Choose a destination"), 60000);
+}
+
+/// A camera without a lens: whoever is led stands where the source says, until the way is started.
+void KioskTest::theSimulatedUserStandsThere() {
+    m_start.source = QStringLiteral("sim:r1");
+    make(0, QString());
+    QSignalSpy moved(&m_kiosk->user(), &SimulatedUser::movedTo);
+    QTRY_COMPARE_WITH_TIMEOUT(moved.count(), 1, 120000);
+    QCOMPARE(moved.front().front().value<RegionId>(), RegionId("r1"));
+    QTRY_COMPARE(m_kiosk->machine().state(), KioskState::Choosing);
+    QCOMPARE(m_kiosk->walk().start(), RegionId("r1"));
+    QVERIFY(!m_kiosk->walk().destination()); // nobody chose one
+    m_start.source = QStringLiteral("sim:nowhere");
+    make(0, QString());
+    QTRY_VERIFY_WITH_TIMEOUT(heard("The camera gives no pictures"), 120000);
 }
 
 void KioskTest::thePageHasNamesAndLargeLetters() {

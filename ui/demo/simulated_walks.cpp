@@ -8,8 +8,6 @@ namespace {
 
 constexpr const char* kSimulation = "sim:";
 constexpr double kFramesPerSecond = 8.0;
-/// A visitor who has arrived is looked at for so long, and may be given another way.
-constexpr double kAfterArrivalS = 6.0;
 
 /// A walk that the session owns and others talk to.
 class SharedWalk : public capture::FrameSource {
@@ -83,7 +81,7 @@ Result<std::unique_ptr<capture::FrameSource>> SimulatedWalks::open() {
     options.camera.shake = simulation::Shake::Chest;
     options.framesPerSecond = kFramesPerSecond;
     options.mostSeconds = plan.mostSeconds;
-    options.afterArrivalS = kAfterArrivalS;
+    options.afterArrivalS = plan.afterArrivalS;
     auto made = simulation::WalkSource::create(*world, {plan.from, {}}, options);
     if (!made) return made.error();
     std::shared_ptr<simulation::WalkSource> walk = std::move(made).value();

@@ -17,6 +17,7 @@ struct WalkPlan {
     RegionId from;
     std::uint64_t seed = 1;
     double mostSeconds = 600.0;
+    double afterArrivalS = 6.0; ///< who has arrived is looked at for so long, and may be given another way
 };
 
 class SimulatedWalks {

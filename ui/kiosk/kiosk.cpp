@@ -2,6 +2,7 @@
 
 #include "core/building/info.h"
 #include "ui/convert/convert.h"
+#include "ui/demo/demo.h"
 
 #include <QLocale>
 
@@ -22,7 +23,10 @@ Kiosk::Kiosk(Settings& settings, KioskStart start, Walk::OpenSource open, Speech
              std::unique_ptr<Chimes> chimes)
     : m_settings(settings),
       m_start(std::move(start)),
-      m_walk(std::move(open)),
+      m_simulated(std::make_shared<SimulatedWalks>()),
+      m_walk(Demo::opener(m_simulated, std::move(open))),
+      m_user(m_walk, m_simulated),
+      m_log(m_start.utteranceFile),
       m_speech(settings, std::move(makeOutput)),
       m_chimes(chimes ? std::move(chimes) : makeChimes()),
       m_machine(settings),
@@ -48,7 +52,10 @@ void Kiosk::connectWalk() {
         setDetail({});
     });
     connect(&m_walk, &Walk::cueCame, this, &Kiosk::cueCame);
+    connect(&m_user, &SimulatedUser::movedTo, this,
+            [this](const RegionId& region) { m_log.writeTruth(region); });
     connect(&m_walk, &Walk::stepped, this, [this](const session::NavigationStep& step) {
+        m_log.setNow(step.percept.time);
         m_speech.setNow(step.percept.time, step.fix.region, step.progress.routeVersion);
         if (step.fix.region == m_region) return;
         m_region = step.fix.region;
@@ -63,10 +70,13 @@ void Kiosk::connectMachine() {
     connect(&m_machine, &KioskMachine::destinationChosen, this,
             [this](const std::optional<RegionId>& region) {
                 m_walk.setDestination(region);
-                if (region)
+                if (region) {
+                    m_user.setOut();
                     remember();
-                else
+                } else {
+                    m_user.stand();
                     m_memory.forget();
+                }
             });
     connect(&m_machine, &KioskMachine::cameraWanted, this, [this] {
         m_speech.reset(); // the new session counts its routes anew
@@ -84,13 +94,7 @@ void Kiosk::connectMachine() {
 }
 
 void Kiosk::connectVoice() {
-    connect(&m_speech, &SpeechDesk::utteranceChanged, this, [this](const Utterance& utterance) {
-        const UtteranceState state = utterance.state;
-        if (state == UtteranceState::Speaking || state == UtteranceState::Shown)
-            Q_EMIT spoken(utterance.text);
-        const bool over = state == UtteranceState::Spoken || state == UtteranceState::Shown;
-        if (m_leaving && over && utterance.own) m_farewell.start(0);
-    });
+    connect(&m_speech, &SpeechDesk::utteranceChanged, this, &Kiosk::utteranceCame);
     connect(&m_speech, &SpeechDesk::statusChanged, this,
             [this](const QString& status, bool bad) { setDetail(bad ? status : QString()); });
     connect(&m_settings, &Settings::guidanceChanged, this,
@@ -102,7 +106,31 @@ void Kiosk::connectVoice() {
     });
 }
 
+void Kiosk::utteranceCame(const Utterance& utterance) {
+    const UtteranceState state = utterance.state;
+    const bool heard = state == UtteranceState::Speaking || state == UtteranceState::Shown;
+    if (heard) Q_EMIT spoken(utterance.text);
+    m_log.write(utterance);
+    // Who has only asked what the way is like does not set out on it.
+    if (heard && !utterance.own && m_machine.guiding()) m_user.hear(utterance.cue);
+    const bool over = state == UtteranceState::Spoken || state == UtteranceState::Shown;
+    if (m_leaving && over && utterance.own) m_farewell.start(0);
+}
+
+void Kiosk::press(const KioskKey& key) {
+    m_log.writeKey(key);
+    m_machine.press(key);
+    m_log.endKey();
+}
+
+void Kiosk::holdBack() {
+    m_log.writeHold();
+    m_machine.holdBack();
+    m_log.endKey();
+}
+
 void Kiosk::begin() {
+    if (!m_log.trouble().isEmpty()) setDetail(m_log.trouble());
     m_machine.greet();
     if (m_start.map.isEmpty()) {
         setDetail(tr("No map was given (farol --kiosk --map FILE)."));

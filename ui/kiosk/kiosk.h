@@ -2,9 +2,11 @@
 // The kiosk's parts put together: keys and words (KioskMachine), the walk, the voice, the sounds and what
 // survives a crash. GUI thread; no widgets.
 
+#include "ui/demo/simulated_user.h"
 #include "ui/kiosk/chimes.h"
 #include "ui/kiosk/kiosk_machine.h"
 #include "ui/kiosk/kiosk_memory.h"
+#include "ui/kiosk/utterance_log.h"
 #include "ui/live/speech_desk.h"
 #include "ui/live/walk.h"
 #include "ui/settings/settings.h"
@@ -20,8 +22,9 @@ namespace farol::ui {
 struct KioskStart {
     QString map, library, source; ///< empty: none
     double framesPerSecond = 0.0;
-    QString from, to;   ///< WHERE of the command line
-    QString memoryFile; ///< see KioskMemory
+    QString from, to;      ///< WHERE of the command line
+    QString memoryFile;    ///< see KioskMemory
+    QString utteranceFile; ///< see UtteranceLog; empty: none
 };
 
 class Kiosk : public QObject {
@@ -34,13 +37,14 @@ public:
     ~Kiosk() override;
 
     void begin();
-    void press(const KioskKey& key) { m_machine.press(key); }
-    void holdBack() { m_machine.holdBack(); }
+    void press(const KioskKey& key);
+    void holdBack();
     /// The user goes, or the window is closed: not a crash.
     void close();
 
     KioskMachine& machine() { return m_machine; }
     Walk& walk() { return m_walk; }
+    SimulatedUser& user() { return m_user; }
     SpeechDesk& speech() { return m_speech; }
     const QString& detail() const { return m_detail; } ///< what is wrong, for those who help
 
@@ -53,6 +57,7 @@ private:
     void connectWalk();
     void connectMachine();
     void connectVoice();
+    void utteranceCame(const Utterance& utterance);
     void mapCame();
     void cueCame(const guidance::Cue& cue);
     void answer(KioskQuestion question);
@@ -63,7 +68,10 @@ private:
 
     Settings& m_settings;
     KioskStart m_start;
+    std::shared_ptr<SimulatedWalks> m_simulated;
     Walk m_walk;
+    SimulatedUser m_user; ///< where the source is a simulation
+    UtteranceLog m_log;
     SpeechDesk m_speech;
     std::unique_ptr<Chimes> m_chimes;
     KioskMachine m_machine;

@@ -56,6 +56,11 @@ KioskState KioskMachine::underlying() const {
     return over ? m_before : m_state;
 }
 
+bool KioskMachine::guiding() const {
+    const KioskState state = underlying();
+    return state == KioskState::Walking || state == KioskState::Arrived;
+}
+
 void KioskMachine::greet() {
     say(tr("Farol. I am opening the map."));
 }

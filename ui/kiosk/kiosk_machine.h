@@ -56,6 +56,7 @@ public:
     void retranslate();
 
     KioskState state() const { return m_state; }
+    bool guiding() const; ///< on the way, or just there: what is spoken is to be done
     bool quiet() const { return m_quiet; }
     const std::optional<RegionId>& destination() const { return m_destination; }
     QString title() const; ///< of the state, for the screen

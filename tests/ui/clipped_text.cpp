@@ -6,8 +6,10 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
+#include <QListWidget>
 #include <QMenuBar>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QStyle>
 #include <QStyleOptionComboBox>
 #include <QTabBar>
@@ -58,6 +60,10 @@ private:
             compare(*box, box->title(),
                     {box->fontMetrics().size(Qt::TextShowMnemonic, box->title()).width(), 0}, box->size());
         if (const auto* bar = qobject_cast<const QMenuBar*>(&widget)) lookAtMenus(*bar);
+        const auto* list = qobject_cast<const QListWidget*>(&widget);
+        if (list && list->horizontalScrollBar()->isVisibleTo(&m_top))
+            note(*list, QStringLiteral("its lines are wider than it is"), {list->sizeHintForColumn(0), 0},
+                 list->size());
         lookAtPlace(widget);
     }
 

@@ -141,6 +141,7 @@ void DeskTour::seeModal(const QString& name) {
 
 void DeskTour::pages() {
     walkPage();
+    demo();
     mapPage();
     landmarksPage();
     wizard();
@@ -163,6 +164,19 @@ void DeskTour::walkPage() {
         tabs->setCurrentIndex(tab);
         stop(*m_window, QStringLiteral("walk-%1").arg(tab + 1));
     }
+}
+
+void DeskTour::demo() {
+    make();
+    StartOptions options;
+    options.map = m_map;
+    options.source = QStringLiteral("sim:Café");
+    options.play = true;
+    m_window->begin(options);
+    await([this] { return m_window->page().framesShown() > 0; }, "the demonstration does not begin");
+    m_window->walk().pause();
+    await([this] { return m_window->walk().state() == session::RunState::Paused; }, "it does not hold");
+    stop(*m_window, QStringLiteral("demo"));
 }
 
 void DeskTour::mapPage() {

@@ -26,6 +26,7 @@ public:
 private:
     void pages();
     void walkPage();
+    void demo();
     void mapPage();
     void landmarksPage();
     void wizard();

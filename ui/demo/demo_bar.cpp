@@ -30,6 +30,7 @@ DemoBar::DemoBar(QMainWindow& window, Demo& demo)
     lightsOut = add(Qt::Key_F4, true);
     m_menu->addSeparator();
     nextVisitor = add(Qt::Key_F9, false);
+    m_window.addToolBarBreak(); // beside the walk's own bar there is no room for it
     m_bar = m_window.addToolBar(QString());
     m_bar->setObjectName(QStringLiteral("demo"));
     m_bar->setMovable(false);

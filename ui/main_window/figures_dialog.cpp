@@ -9,6 +9,8 @@
 #include <QSplitter>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace farol::ui {
 
 FiguresDialog::FiguresDialog(std::vector<Chart> charts, QWidget* parent)
@@ -18,6 +20,8 @@ FiguresDialog::FiguresDialog(std::vector<Chart> charts, QWidget* parent)
       m_view(new ChartView(this)) {
     setWindowTitle(tr("Figures"));
     for (const Chart& chart : m_charts) m_list->addItem(chart.title);
+    const int widest = m_list->sizeHintForColumn(0) + 2 * m_list->frameWidth() + 4;
+    m_list->setMinimumWidth(std::min(widest, 400));
     m_list->setAccessibleName(tr("Charts"));
     m_list->setToolTip(tr("Which chart is shown"));
     auto* halves = new QSplitter(Qt::Horizontal, this);

@@ -11,7 +11,6 @@
 
 #include <QAction>
 #include <QMenu>
-#include <QMenuBar>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QStackedWidget>
@@ -35,7 +34,7 @@ void MainWindow::connectPages() {
     m_pageTabs->setDrawBase(false);
     m_pageTabs->setExpanding(false);
     for (int tab = 0; tab < m_pages->count(); ++tab) m_pageTabs->addTab(QString());
-    menuBar()->setCornerWidget(m_pageTabs);
+    m_actions->addBesideMenus(*m_pageTabs);
     connect(m_pageTabs, &QTabBar::currentChanged, this,
             [this](int tab) { showPage(static_cast<Page>(tab)); });
     connect(a.walkPage, &QAction::triggered, this, [this] { showMap(false); });

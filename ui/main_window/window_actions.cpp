@@ -7,6 +7,7 @@
 #include <QActionGroup>
 #include <QComboBox>
 #include <QEvent>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
 #include <QMainWindow>
@@ -46,7 +47,15 @@ void WindowActions::addGlyph(QAction* action, Glyph glyph) {
 }
 
 void WindowActions::buildMenus() {
-    QMenuBar* bar = m_window.menuBar();
+    // Side by side in one row: what stands in the corner of a menu bar, screen readers are not told of.
+    auto* row = new QWidget(&m_window);
+    m_menuBar = new QMenuBar(row);
+    m_besideMenus = new QHBoxLayout(row);
+    m_besideMenus->setContentsMargins(0, 0, 0, 0);
+    m_besideMenus->setSpacing(0);
+    m_besideMenus->addWidget(m_menuBar, 1);
+    m_window.setMenuWidget(row);
+    QMenuBar* bar = m_menuBar;
     m_file = bar->addMenu(QString());
     openMap = add(m_file, {QKeySequence::Open});
     recentMaps = m_file->addMenu(QString());
@@ -182,7 +191,11 @@ void WindowActions::setPlaying(bool playing) {
 }
 
 void WindowActions::addPageMenu(QMenu& menu) {
-    m_window.menuBar()->insertMenu(m_view->menuAction(), &menu);
+    m_menuBar->insertMenu(m_view->menuAction(), &menu);
+}
+
+void WindowActions::addBesideMenus(QWidget& widget) {
+    m_besideMenus->addWidget(&widget, 0, Qt::AlignBottom);
 }
 
 void WindowActions::addToFileMenu(QMenu& menu) {

@@ -11,9 +11,11 @@
 class QAction;
 class QActionGroup;
 class QComboBox;
+class QHBoxLayout;
 class QLabel;
 class QMainWindow;
 class QMenu;
+class QMenuBar;
 class QToolBar;
 
 namespace farol::ui {
@@ -42,6 +44,7 @@ public:
     void setPlaying(bool playing); ///< the first command is Pause while a walk runs
     /// Puts a page's own menu behind those of the walk.
     void addPageMenu(QMenu& menu);
+    void addBesideMenus(QWidget& widget);
     void addToFileMenu(QMenu& menu);
     void addToWalkMenu(QMenu& menu);
     /// The tool bar, and what makes no sense while another page is shown, follow the page.
@@ -64,6 +67,8 @@ private:
 
     QMainWindow& m_window;
     QMenu *m_file, *m_walk, *m_voice, *m_view, *m_help, *m_language;
+    QMenuBar* m_menuBar;
+    QHBoxLayout* m_besideMenus;
     QToolBar* m_bar;
     QLabel* m_speedLabel;
     std::vector<Iconed> m_icons;

@@ -20,7 +20,7 @@ constexpr double kLeastSpread = 0.035;
 constexpr double kLeastStrength = 9.0;
 constexpr double kRivalShare = 0.6;
 /// Places beyond the candidates that are looked at as well once one is told: which others does it fit?
-constexpr int kMoreRivals = 10;
+constexpr std::size_t kMoreRivals = 7;
 constexpr int kFewestAlike = 8;     // inliers
 constexpr double kAlikeShare = 0.4; // of the told place's strength; weaker ones are chance
 
@@ -158,7 +158,7 @@ void PlaceMatcher::add(const Template& entry, std::vector<cv::Mat>& descriptors)
     }
 }
 
-std::vector<int> PlaceMatcher::candidates(const Features& frame, int most) const {
+std::vector<int> PlaceMatcher::candidates(const Features& frame, std::size_t most) const {
     Neighbours near = m_index.search(comparable(m_extractor, frame.descriptors), m_options.neighbours,
                                      m_options.searchChecks);
     std::vector<double> votes(m_views.size(), 0.0);
@@ -181,7 +181,7 @@ std::vector<int> PlaceMatcher::candidates(const Features& frame, int most) const
     std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
         return votes[static_cast<std::size_t>(a)] > votes[static_cast<std::size_t>(b)];
     });
-    order.resize(std::min(order.size(), static_cast<std::size_t>(most)));
+    order.resize(std::min(order.size(), most));
     return order;
 }
 
@@ -219,11 +219,10 @@ PlaceSupport PlaceMatcher::verified(ImageSize frameSize, const Features& frame, 
     return support;
 }
 
-std::vector<PlaceSupport> PlaceMatcher::supports(ImageSize frameSize, const Features& frame) const {
+std::vector<PlaceSupport> PlaceMatcher::ranked(ImageSize frameSize, const Features& frame,
+                                               std::span<const int> views) const {
     std::vector<PlaceSupport> supports;
-    if (empty() || frame.descriptors.rows < 8) return supports;
-    for (int view : candidates(frame, m_options.placeCandidates))
-        supports.push_back(verified(frameSize, frame, view));
+    for (int view : views) supports.push_back(verified(frameSize, frame, view));
     std::stable_sort(supports.begin(), supports.end(), [](const PlaceSupport& a, const PlaceSupport& b) {
         return a.strength() > b.strength();
     });
@@ -239,19 +238,13 @@ bool PlaceMatcher::sameSpot(int a, int b) const {
 
 /// Each other place once, with its best view. Whether it is a neighbour or a look-alike elsewhere only the
 /// map knows.
-void PlaceMatcher::addLookAlikes(Detection& told, const std::vector<PlaceSupport>& ranked,
-                                 ImageSize frameSize, const Features& frame) const {
+void PlaceMatcher::addLookAlikes(Detection& told, const std::vector<PlaceSupport>& fits) const {
     std::map<TemplateId, double> strongest;
-    std::set<int> verifiedViews;
-    auto note = [&](const PlaceSupport& support) {
-        verifiedViews.insert(support.view);
+    for (const PlaceSupport& support : fits) {
         const TemplateId& id = placeOf(support.view).id;
-        bool fits = support.inliers >= kFewestAlike && support.strength() >= kAlikeShare * told.strength;
-        if (fits && id != told.templateId) strongest[id] = std::max(strongest[id], support.strength());
-    };
-    for (const PlaceSupport& support : ranked) note(support);
-    for (int view : candidates(frame, m_options.placeCandidates + kMoreRivals))
-        if (verifiedViews.count(view) == 0) note(verified(frameSize, frame, view));
+        bool alike = support.inliers >= kFewestAlike && support.strength() >= kAlikeShare * told.strength;
+        if (alike && id != told.templateId) strongest[id] = std::max(strongest[id], support.strength());
+    }
     for (const auto& [id, strength] : strongest) told.lookAlikes.push_back({id, strength});
     std::stable_sort(told.lookAlikes.begin(), told.lookAlikes.end(),
                      [](const LookAlike& a, const LookAlike& b) { return a.strength > b.strength; });
@@ -259,11 +252,15 @@ void PlaceMatcher::addLookAlikes(Detection& told, const std::vector<PlaceSupport
 
 DetectorResult PlaceMatcher::match(ImageSize frameSize, const Features& frame) const {
     DetectorResult result;
-    auto ranked = supports(frameSize, frame);
-    if (ranked.empty()) return result;
+    if (empty() || frame.descriptors.rows < 8) return result;
+    auto asked = static_cast<std::size_t>(m_options.placeCandidates);
+    std::vector<int> order = candidates(frame, asked + kMoreRivals);
+    std::span<const int> views = order;
+    std::vector<PlaceSupport> fits = ranked(frameSize, frame, views.first(std::min(asked, views.size())));
+    if (fits.empty()) return result;
     Quad whole =
         quadOf({0.0, 0.0, static_cast<double>(frameSize.width), static_cast<double>(frameSize.height)});
-    const PlaceSupport& best = ranked.front();
+    const PlaceSupport best = fits.front();
     auto reject = [&](const PlaceSupport& support, const char* reason, double value) {
         result.rejections.push_back(
             {"landmarks", Kind::Place, placeOf(support.view).id, whole, reason, value});
@@ -276,8 +273,8 @@ DetectorResult PlaceMatcher::match(ImageSize frameSize, const Features& frame) c
         reject(best, "narrow_support", best.spread);
         return result;
     }
-    for (std::size_t i = 1; i < ranked.size(); ++i) {
-        const PlaceSupport& rival = ranked[i];
+    for (std::size_t i = 1; i < fits.size(); ++i) {
+        const PlaceSupport& rival = fits[i];
         if (rival.strength() < kRivalShare * best.strength()) break;
         if (sameSpot(best.view, rival.view)) continue;
         reject(best, "ambiguous_place", rival.strength() / best.strength());
@@ -294,7 +291,9 @@ DetectorResult PlaceMatcher::match(ImageSize frameSize, const Features& frame) c
     // spot.
     detection.score = best.strength() / (best.strength() + kLeastStrength);
     detection.strength = best.strength();
-    addLookAlikes(detection, ranked, frameSize, frame);
+    for (int view : views.subspan(std::min(asked, views.size())))
+        fits.push_back(verified(frameSize, frame, view));
+    addLookAlikes(detection, fits);
     result.detections.push_back(std::move(detection));
     return result;
 }

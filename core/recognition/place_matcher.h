@@ -5,6 +5,7 @@
 #include "core/recognition/detection.h"
 #include "core/recognition/landmark_recogniser.h"
 
+#include <span>
 #include <vector>
 
 namespace farol::recognition {
@@ -29,8 +30,6 @@ public:
     /// At most one detection.
     DetectorResult match(ImageSize frameSize, const Features& frame) const;
 
-    /// The verified candidates, strongest first.
-    std::vector<PlaceSupport> supports(ImageSize frameSize, const Features& frame) const;
     const Template& placeOf(int view) const { return *m_views[static_cast<std::size_t>(view)].entry; }
 
 private:
@@ -42,9 +41,11 @@ private:
     };
 
     void add(const Template& entry, std::vector<cv::Mat>& descriptors);
-    std::vector<int> candidates(const Features& frame, int most) const;
-    void addLookAlikes(Detection& told, const std::vector<PlaceSupport>& ranked, ImageSize frameSize,
-                       const Features& frame) const;
+    std::vector<int> candidates(const Features& frame, std::size_t most) const;
+    /// Verified, strongest first.
+    std::vector<PlaceSupport> ranked(ImageSize frameSize, const Features& frame,
+                                     std::span<const int> views) const;
+    void addLookAlikes(Detection& told, const std::vector<PlaceSupport>& fits) const;
     PlaceSupport verified(ImageSize frameSize, const Features& frame, int view) const;
     bool sameSpot(int a, int b) const;
 

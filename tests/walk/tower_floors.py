@@ -2,9 +2,11 @@
 """Eight floors that look alike (images/tower): is a wrong one ever stated? Places from every clip but the `alt` passes,
 then these, walked the other way from an unknown start.
 
-  tower_floors.py FAROL_CLI REPOSITORY WORK_FOLDER [--develop] [--keep]
+  tower_floors.py FAROL_CLI REPOSITORY WORK_FOLDER [--develop | --halves] [--keep]
 
 --develop asks the surveyed hallways instead, each with its own places taken out: choices are made on these.
+--halves surveys every other picture of the hallways and asks those between: what is stated where the way was surveyed in
+the same direction (one pass, so it flatters).
 --keep uses the library that is already in the work folder. Exits with 77 where the photographs are not on the machine.
 """
 import csv
@@ -41,17 +43,23 @@ class Clips:
             for row in csv.DictReader(file):
                 self.frames.setdefault(row["clip"], []).append((tower / row["image"]).resolve())
 
-    def folder(self, clip):
-        """A second between two frames, as they were taken."""
-        folder = self.work / "clips" / clip
+    def folder(self, clip, half=None):
+        """All pictures of a clip, or every other one from the first or the second on."""
+        folder = self.work / "clips" / (clip if half is None else f"{clip}-{half}")
         if not folder.is_dir():
             folder.mkdir(parents=True)
-            for number, picture in enumerate(self.frames[clip], 1):
-                (folder / f"{number}.jpg").symlink_to(picture)
+            for number, picture in enumerate(self.frames[clip]):
+                if half is None or number % 2 == half:
+                    (folder / f"{number + 1}.jpg").symlink_to(picture)
         return folder
 
 
-def survey(cli, example, clips, building, library):
+def rate(half):
+    """The pictures were taken a second apart."""
+    return 1.0 if half is None else 0.5
+
+
+def survey(cli, example, clips, building, library, half):
     shutil.copy(example / "tower.gpkg", building)
     library.unlink(missing_ok=True)
     for clip, _, _ in plan(example, "spot"):
@@ -59,8 +67,8 @@ def survey(cli, example, clips, building, library):
         run(cli, "train", library, "--template", clip, "--kind", "place", *clips.frames[clip], stderr=subprocess.DEVNULL)
     for clip, level, *way in plan(example, "walk"):
         along = ",".join(f"{spot},{level}" for spot in way)
-        report = run(cli, "survey", building, library, "--source", clips.folder(clip), "--fps", "1", "--along", along,
-                     "--prefix", clip)
+        report = run(cli, "survey", building, library, "--source", clips.folder(clip, half), "--fps", rate(half), "--along",
+                     along, "--prefix", clip, stderr=subprocess.DEVNULL)
         print(f"  {clip}: {report.strip()}")
 
 
@@ -81,16 +89,16 @@ def fixes(text):
     return [line for line in map(json.loads, text.splitlines()) if line.get("type", "fix") == "fix"]
 
 
-def ask(cli, building, library, source, work, name):
+def ask(cli, building, library, source, work, name, fps):
     """Fixes with everything, and with what was read left out."""
-    told = run(cli, "run", "--map", building, "--library", library, "--source", source, "--fps", "1", "--localiser", "bayes",
+    told = run(cli, "run", "--map", building, "--library", library, "--source", source, "--fps", fps, "--localiser", "bayes",
                "--json-lines")
     (work / f"{name}.jsonl").write_text(told, encoding="utf-8")
     lines = [json.loads(line) for line in told.splitlines()]
     log = work / f"{name}-without-text.jsonl"
     log.write_text("".join(json.dumps(line) + "\n" for line in lines
                            if not (line["type"] == "detection" and line["kind"] == "text")), encoding="utf-8")
-    silent = run(cli, "locate", building, log, "--localiser", "bayes", "--every", "1", "--json-lines")
+    silent = run(cli, "locate", building, log, "--localiser", "bayes", "--every", 1.0 / fps, "--json-lines")
     return {"with text": fixes(told), "without text": fixes(silent)}
 
 
@@ -124,16 +132,18 @@ def main(cli, top, work, flags):
         return SKIPPED
     work.mkdir(parents=True, exist_ok=True)
     clips = Clips(tower, work)
-    building, library = work / "tower.gpkg", work / "library.gpkg"
+    develop, half = "--develop" in flags, 0 if "--halves" in flags else None
+    name = "tower" if half is None else "halves"
+    building, library = work / f"{name}.gpkg", work / f"{name}-library.gpkg"
     if "--keep" not in flags or not library.is_file():
-        survey(cli, example, clips, building, library)
-    develop = "--develop" in flags
-    asked = [words[:2] for words in plan(example, "walk" if develop else "asked")]
+        survey(cli, example, clips, building, library, half)
+    asked = [words[:2] for words in plan(example, "asked" if not develop and half is None else "walk")]
     print(f"  {'% of time, sure is .8 or more':42s} asked    wrong    right  near wr.  near r. likeliest")
     sums = {}
     for clip, level in asked:
         here, books = without(clip, building, library, work) if develop else (building, library)
-        for how, said in ask(cli, here, books, clips.folder(clip), work, clip).items():
+        source = clips.folder(clip, None if half is None else 1)
+        for how, said in ask(cli, here, books, source, work, clip, rate(half)).items():
             one = Tally()
             for tally in (one, sums.setdefault(how, Tally())):
                 tally.add(said, float(level))

@@ -222,7 +222,6 @@ int walkMany(const SimulateOptions& options, const std::shared_ptr<const simulat
 }
 
 int simulate(const SimulateOptions& options) {
-    chooseLanguage("en"); // one metre, two metres: also in the transcript
     if (options.noVision && (!options.out.empty() || !options.obey))
         return report(
             {ErrorCode::InvalidArgument,

@@ -481,6 +481,12 @@ void TestSpeechQueue::gapSeparatesUtterancesButNotUrgentOnes() {
     QCOMPARE(walk.output.said, QStringList{kDoor});
     walk.queue.add(turn(CueKind::Act, 90));
     QCOMPARE(walk.output.said, (QStringList{kDoor, kLeft}));
+    Cue asked = cueOf(CueKind::Located, CuePriority::Answer); // met a sentence that goes first
+    asked.asked = true;
+    walk.queue.add(asked);
+    QCOMPARE(walk.output.said.last(), kLeft);
+    walk.output.finish();
+    QVERIFY(walk.output.said.last().startsWith(QLatin1String("I do not know yet")));
     walk.output.finish();
     walk.queue.setGapMs(1);
     walk.queue.add(warning(CueReason::CameraBack));

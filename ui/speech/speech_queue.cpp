@@ -212,7 +212,9 @@ void SpeechQueue::speakNext() {
 }
 
 void SpeechQueue::pauseThenNext() {
-    if (m_gap.interval() <= 0)
+    // Whoever has pressed a key waits for the answer: no silence before it.
+    const bool asked = !m_waiting.empty() && m_waiting.front().cue.asked;
+    if (asked || m_gap.interval() <= 0)
         speakNext();
     else
         m_gap.start();

@@ -40,6 +40,11 @@ class Driver:
 
     def to_list(self):
         """From anywhere: F1 tells where help is, two Escapes lead out of all but the list itself."""
+        self.kiosk.listen()
+        told = (line["text"] for line in reversed(self.kiosk.heard) if line.get("cause") == "key")
+        if next(told, "").startswith("Leave Farol?"):  # where Escape is a yes
+            self.say("Down", "Going on")
+            return
         for _ in range(12):
             _, said = self.measure("Escape", own=True)
             if "Leave Farol?" in said:
@@ -48,8 +53,9 @@ class Driver:
         raise LookupError(f"the list of places was not reached; heard: {[line['text'] for line in self.kiosk.heard[-12:]]}")
 
     def two_keys(self, wanted):
-        said = self.say("F4", "Two keys", "All keys")
-        if ("Two keys" in said) != wanted:
+        told = (line["text"] for line in reversed(self.kiosk.heard)
+                if line["text"].startswith(("Two keys:", "All keys are")))
+        if next(told, "").startswith("Two keys:") != wanted:
             self.say("F4", "Two keys", "All keys")
 
     def bring(self, state):
@@ -142,9 +148,9 @@ def measure_state(driver, state, rounds):
 
 def restore(driver, key, said):
     """Settings are as before for the next key."""
-    if key == "F2" and "português" in said:
-        for language in ("español", "français", "Deutsch", "English"):
-            driver.say("F2", language)
+    for _ in range(5):
+        if key != "F2" or said.startswith("F2:") or "English" in driver.say("F2", "português", "español", "français", "Deutsch", "English now"):
+            break
     if key in ("m", "KP_Divide") and "Quiet" in said:
         driver.say("m", "everything again")
 

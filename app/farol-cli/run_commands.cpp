@@ -252,7 +252,7 @@ void addRun(CLI::App& app, int& exitCode) {
     command->add_option("--seed", options->seed, "Of a simulated walk")->capture_default_str();
     command->add_option("--from", options->from, "Where the walk starts, if that is known (WHERE)");
     command->add_option("--to", options->to, "Destination (WHERE)");
-    command->add_option("--localiser", options->localiser, "voting, voting-literal, bayes or bayes-guided")
+    command->add_option("--localiser", options->localiser, "voting, voting-literal, bayes, bayes-guided or bayes-guided-sparse")
         ->capture_default_str();
     command
         ->add_option("--verbosity", options->verbosity,

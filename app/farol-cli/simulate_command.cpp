@@ -19,7 +19,7 @@ namespace farol::cli {
 namespace {
 
 struct SimulateOptions {
-    std::string map, library, from, to, out, localiser = "bayes-guided", truePlace;
+    std::string map, library, from, to, out, localiser, truePlace, eyes = "study";
     std::uint64_t seed = 1;
     bool sparseLandmarks = false, obey = false, noVision = false, json = false, unknownStart = false,
          photographs = false, sentences = false, transcript = false;
@@ -47,7 +47,10 @@ session::Json jsonOf(const session::ClosedLoopResult& result) {
 
 session::ClosedLoopOptions loopOptions(const SimulateOptions& options) {
     session::ClosedLoopOptions loop;
-    loop.navigator = session::NavigatorOptions::with(options.localiser);
+    loop.navigator = session::NavigatorOptions::with(!options.localiser.empty() ? options.localiser
+                                                     : options.noVision && options.eyes == "study"
+                                                         ? "bayes-guided-sparse"
+                                                         : "bayes-guided");
     if (!options.truePlace.empty())
         loop.truePlace = options.truePlace == "spot" ? session::TruePlace::Spot : session::TruePlace::Region;
     loop.knownStart = !options.unknownStart;
@@ -99,6 +102,7 @@ Result<session::ClosedLoop::Eye> eyeOf(const SimulateOptions& options, std::opti
                                        const std::shared_ptr<SimulatedFrames>& frames) {
     if (!studio) {
         simulation::TruthDetectionOptions detections;
+        if (options.eyes == "camera") detections = simulation::TruthDetectionOptions::ofCamera();
         detections.seed = options.seed;
         return session::truthEye(world, detections);
     }
@@ -197,6 +201,12 @@ int walkMany(const SimulateOptions& options, const std::shared_ptr<const simulat
     pairs.loop = loopOptions(options);
     if (options.sentences) pairs.ear = sentenceEar();
     if (studio) pairs.eye = [&](std::uint64_t seed) { return studio->eye(seed); };
+    if (!studio && options.eyes == "camera")
+        pairs.eye = [&](std::uint64_t seed) -> Result<session::ClosedLoop::Eye> {
+            simulation::TruthDetectionOptions detections = simulation::TruthDetectionOptions::ofCamera();
+            detections.seed = seed;
+            return session::truthEye(world, detections);
+        };
     auto figures = walkPairs(world, pairs);
     if (!figures) return report(figures.error());
     session::Json all = session::Json::array();
@@ -277,11 +287,16 @@ void addSimulateCommand(CLI::App& app, int& exitCode) {
                       "Print where the walker of one walk really is, and what is said");
     command->add_flag("--no-vision", options->noVision,
                       "Detections drawn from the truth instead of pictures");
+    command
+        ->add_option("--eyes", options->eyes,
+                     "Without pictures: as poor as those of the localisation study, or as this program's own")
+        ->check(CLI::IsMember({"study", "camera"}))
+        ->capture_default_str();
     command->add_option("--out", options->out, "New folder for the frames and their truth");
     command->add_flag("--unknown-start", options->unknownStart, "Nobody tells where the walk starts");
     command->add_option("--wilful", options->wilfulness, "Chance, at each door, to take it unasked")
         ->check(CLI::Range(0.0, 1.0));
-    command->add_option("--localiser", options->localiser, "One of farol-cli run's")->capture_default_str();
+    command->add_option("--localiser", options->localiser, "One of farol-cli run's (bayes-guided; without pictures bayes-guided-sparse)");
     command
         ->add_option("--true-place", options->truePlace,
                      "Tell the navigator the true place instead: region, or spot (with position and heading)")

@@ -42,7 +42,10 @@ public:
     void moved(double time, const recognition::Motion& motion) override {
         if (m_options.useMotion) m_motion.add(time, motion);
     }
-    std::string name() const override { return m_options.walking.guided ? "bayes-guided" : "bayes"; }
+    std::string name() const override {
+        if (!m_options.walking.guided) return "bayes";
+        return m_options.sensors.camera ? "bayes-guided" : "bayes-guided-sparse";
+    }
 
 private:
     struct Repeat {
@@ -204,14 +207,15 @@ double BayesLocaliser::trustIn(const Observation& seen) {
     for (const Repeat& each : m_recent) {
         // What is followed from frame to frame is known to be the same thing, or another one.
         if (each.track && seen.track) {
-            if (*each.track == *seen.track) trust = 0.0;
+            if (*each.track == *seen.track)
+                trust = seen.time - each.time < m_options.trackSeconds ? 0.0 : m_options.trustRepeated;
             continue;
         }
         if (each.kind == detection.kind && each.templateId == detection.templateId &&
             shortEditDistance(each.text, text) <= 1)
             trust = std::min(trust, m_options.trustRepeated);
     }
-    m_recent.push_back({seen.time, detection.kind, text, detection.templateId, seen.track});
+    if (trust > 0.0) m_recent.push_back({seen.time, detection.kind, text, detection.templateId, seen.track});
     return trust;
 }
 
@@ -392,6 +396,7 @@ WalkingOptions WalkingOptions::obedient() {
     // Found in the closed loop, where standing still at the goal is no sign of having reached it.
     WalkingOptions walking;
     walking.guided = true;
+    walking.free = true;
     walking.followShare = 0.6;
     walking.strayRate = 0.05;
     walking.strayAtNode = 0.1;

@@ -31,6 +31,12 @@ struct WalkingOptions {
     double unknownTurnSigmaDeg = 35.0;
     double distanceSigma = 0.3; ///< of a measured speed, as a share
     double headingTrust = 0.5;  ///< exponent of what a measured turn tells
+    bool free = false;          ///< goes where the camera looks, between the walls, and not from door to door
+    double bodySwayDeg = 15.0;  ///< of the camera about the body, for those who walk freely
+    double throughUnasked = 0.4; ///< how likely a door is taken that does not lead on, against one that does
+    double alongWallM = 0.5;     ///< nobody walks into walls for longer
+    double doorRate = 1.0, doorUnasked = 0.15;   ///< takes the door at hand, facing it
+    double climbRate = 0.7, climbUnasked = 0.03; ///< takes the stairs or the lift at hand
 
     Result<void> check() const;
     /// Of one who obeys what is told, and is not on a way that he knows.
@@ -44,6 +50,7 @@ struct BayesOptions {
     double trust = 0.8;          ///< exponent of a detection's likelihood ratio
     double trustRepeated = 0.35; ///< of one like another in the last `repeatSeconds`
     double repeatSeconds = 4.0;
+    double trackSeconds = 1.5; ///< the same thing, followed all the while, tells anew only then
     double climbSees = 0.05;     ///< what is seen on stairs and in lifts, against elsewhere
     double missTrust = 0.5;      ///< exponent of what should have been seen and was not
     double lostRate = 0.0006;    ///< per second: carried elsewhere, unseen

@@ -6,15 +6,16 @@
 namespace farol::localisation {
 
 std::vector<std::string> localiserNames() {
-    return {"voting", "voting-literal", "bayes", "bayes-guided"};
+    return {"voting", "voting-literal", "bayes", "bayes-guided", "bayes-guided-sparse"};
 }
 
 Result<std::unique_ptr<Localiser>> makeLocaliser(const std::string& name,
                                                  std::shared_ptr<const building::Building> building) {
     if (name == "bayes") return makeBayesLocaliser(std::move(building));
-    if (name == "bayes-guided") {
+    if (name == "bayes-guided" || name == "bayes-guided-sparse") {
         BayesOptions options;
         options.walking = WalkingOptions::obedient();
+        if (name == "bayes-guided") options.sensors = SensorOptions::ofCamera();
         return makeBayesLocaliser(std::move(building), options);
     }
     if (name == "voting") return makeVotingLocaliser(std::move(building));

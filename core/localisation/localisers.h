@@ -10,7 +10,8 @@
 
 namespace farol::localisation {
 
-/// "voting", "voting-literal", "bayes", "bayes-guided" (for those who know the way only from what is said).
+/// "voting", "voting-literal", "bayes", "bayes-guided" (for those who know the way only from what is said),
+/// "bayes-guided-sparse" (the same, for eyes as poor as those of the localisation study).
 /// InvalidArgument names them for any other.
 Result<std::unique_ptr<Localiser>> makeLocaliser(const std::string& name,
                                                  std::shared_ptr<const building::Building> building);

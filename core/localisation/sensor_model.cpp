@@ -14,7 +14,7 @@ using recognition::Detection;
 
 namespace {
 
-constexpr float kSeenM = 4.6F;        // no landmark is recognised from farther away
+constexpr float kSeenM = 4.6F; // by the poor eyes no landmark is recognised from farther away
 constexpr float kHalfViewDeg = 30.0F; // of the camera
 constexpr float kSteepness = 1.7F;    // of a logistic curve, to be like a normal one of sigma 1
 constexpr float kRadToDeg = 57.29578F;
@@ -114,11 +114,24 @@ float normalDensity(float x, float variance) {
     return quickExp(-0.5F * x * x / variance) * 0.39894228F / std::sqrt(variance);
 }
 
-/// How well an object is seen from a distance.
-float visibleAt(float range) {
+/// How well the poor eyes see an object from a distance.
+float poorlyVisibleAt(float range) {
     if (range < 1.0F) return 0.3F + 0.7F * range;
     if (range < 2.6F) return 1.0F;
     return range < 4.2F ? std::max(0.03F, (4.2F - range) / 1.6F) : 0.03F;
+}
+
+/// Letters that are read for one another are the same here: "floor o" is "floor 0", and not "floor 1".
+std::string shapeOf(std::string text) {
+    constexpr std::string_view kRead = "oilszb", kMeant = "011528";
+    for (char& c : text)
+        if (auto at = kRead.find(c); at != std::string_view::npos) c = kMeant[at];
+    return text;
+}
+
+/// Of the logarithm of the range of what is no landmark.
+float falseRangeVariance(const SensorOptions& options) {
+    return options.camera ? 1.0F : 0.25F;
 }
 
 bool crosses(Spot a, Spot b, Spot c, Spot d) {
@@ -161,8 +174,17 @@ Result<void> SensorOptions::check() const {
                  "bayes.sensors"};
 }
 
+SensorOptions SensorOptions::ofCamera() {
+    SensorOptions options;
+    options.camera = true;
+    options.detectionsPerSecond = 0.5;
+    options.sameKind = 0.97;
+    options.bearingSigmaDeg = 3.0;
+    return options;
+}
+
 SensorModel::SensorModel(std::shared_ptr<const WalkingMap> map, const SensorOptions& options)
-    : m_map(std::move(map)), m_options(options) {
+    : m_map(std::move(map)), m_options(options), m_farthestM(kSeenM) {
     addLandmarks();
     addViews();
 }
@@ -178,6 +200,8 @@ void SensorModel::addLandmarks() {
         item.at = m_map->local(landmark.position);
         item.region = static_cast<std::uint32_t>(*region);
         item.kind = static_cast<std::uint8_t>(indexOf(landmark.kind));
+        item.reachM = reachOf(landmark);
+        m_farthestM = std::max(m_farthestM, item.reachM);
         if (landmark.heading) {
             item.nx = static_cast<float>(std::cos(landmark.heading->value));
             item.ny = static_cast<float>(std::sin(landmark.heading->value));
@@ -217,6 +241,24 @@ void SensorModel::addItem(Item item) {
     m_items.push_back(item);
 }
 
+/// Trained things are found while they are a few dozen pixels wide, at fewer than those of the study only if
+/// they are small; what has no template as far as its detector goes.
+float SensorModel::reachOf(const Landmark& landmark) const {
+    constexpr double kUsualSizeM = 0.5, kNearestM = 3.0, kUntrainedM = 5.0;
+    if (!m_options.camera) return kSeenM;
+    if (landmark.templateId.empty()) return static_cast<float>(kUntrainedM);
+    double size = std::min(landmark.widthM.value_or(kUsualSizeM), landmark.tallM.value_or(kUsualSizeM));
+    return static_cast<float>(std::clamp(m_options.sizesAway * size, kNearestM, m_options.farthestM));
+}
+
+float SensorModel::visibleAt(const Item& item, float range) const {
+    constexpr float kLeast = 0.03F, kWellUpTo = 0.7F;
+    if (!m_options.camera) return poorlyVisibleAt(range);
+    if (range < 0.8F) return 0.3F + 0.7F * range / 0.8F;
+    if (range < kWellUpTo * item.reachM) return 1.0F;
+    return std::max(kLeast, (item.reachM - range) / ((1.0F - kWellUpTo) * item.reachM));
+}
+
 void SensorModel::addViews() {
     const auto& building = m_map->building();
     std::size_t count = building.regions().size();
@@ -252,7 +294,7 @@ void SensorModel::addViews() {
             Spot middle{(line.a.x + line.b.x) / 2, (line.a.y + line.b.y) / 2};
             for (std::uint32_t item : own[a == r ? b : a])
                 if (m_items[item].kind != indexOf(Kind::Place) &&
-                    gapBetween(m_items[item].at, middle) < kSeenM)
+                    gapBetween(m_items[item].at, middle) < m_items[item].reachM)
                     add(item, gap);
         }
         std::sort(m_views.begin() + static_cast<std::ptrdiff_t>(first), m_views.end(),
@@ -266,29 +308,36 @@ void SensorModel::addViews() {
 std::span<const SensorModel::View> SensorModel::viewsNear(std::uint32_t region, Spot at) const {
     float along = m_alongY[region] != 0 ? at.y : at.x;
     auto first = m_views.begin() + m_firstView[region], last = m_views.begin() + m_firstView[region + 1];
-    auto low = std::lower_bound(first, last, along - kSeenM,
+    auto low = std::lower_bound(first, last, along - m_farthestM,
                                 [](const View& view, float value) { return view.along < value; });
     auto high = low;
-    while (high != last && high->along <= along + kSeenM) ++high;
+    while (high != last && high->along <= along + m_farthestM) ++high;
     return {low, high};
 }
 
-bool SensorModel::geometryOf(const Item& item, const View& view, Spot at, Geometry& geometry) const {
+bool SensorModel::geometryOf(const Item& item, const View& view, std::uint32_t region, Spot at,
+                             Geometry& geometry) const {
     geometry.dx = item.at.x - at.x;
     geometry.dy = item.at.y - at.y;
     float square = geometry.dx * geometry.dx + geometry.dy * geometry.dy;
-    if (square > kSeenM * kSeenM) return false;
+    if (square > item.reachM * item.reachM) return false;
     if (view.opening >= 0) {
         const Gap& gap = m_gaps[static_cast<std::size_t>(view.opening)];
         if (!crosses(at, item.at, gap.a, gap.b)) return false;
     }
     geometry.range = std::sqrt(square);
+    // Far things may stand round a corner.
+    if (view.opening < 0 && geometry.range > kSeenM && m_map->bent(region)) {
+        constexpr float kBeforeM = 0.3F;
+        float part = 1.0F - kBeforeM / geometry.range;
+        if (!m_map->straight(region, at, {at.x + part * geometry.dx, at.y + part * geometry.dy})) return false;
+    }
     float facing = 1.0F;
     if (item.nx != 0.0F || item.ny != 0.0F) {
         float cosine = -(geometry.dx * item.nx + geometry.dy * item.ny) / std::max(geometry.range, 0.2F);
         facing = cosine < 0.02F ? 0.02F : std::min(1.0F, (cosine - 0.02F) / 0.5F + 0.02F);
     }
-    geometry.visible = visibleAt(geometry.range) * facing;
+    geometry.visible = visibleAt(item, geometry.range) * facing;
     return true;
 }
 
@@ -349,7 +398,7 @@ float SensorModel::ratio(const Look& look, std::uint32_t region, Spot at, const 
             continue;
         }
         Geometry geometry;
-        if (!geometryOf(item, view, at, geometry)) continue;
+        if (!geometryOf(item, view, region, at, geometry)) continue;
         float part = factor * likelihoodOf(look, geometry, gaze) * look.inverseFalse;
         if (cause != nullptr && part > cause->part) *cause = causeOf(look, geometry, gaze, part);
         sum += part;
@@ -362,8 +411,16 @@ float SensorModel::inPicture(float offDeg, float steepness) {
     return 1.0F / (1.0F + quickExp(steepness * (std::abs(offDeg) - kHalfViewDeg)));
 }
 
+double SensorModel::oftenerThanDoors(Kind kind, bool trained) const {
+    constexpr double kTrained = 3.0;
+    if (!m_options.camera) return prominence(kind);
+    return trained ? kTrained : 1.0;
+}
+
 float SensorModel::rateOf(const Item& item, const Geometry& geometry) const {
-    double rate = m_options.detectionsPerSecond * prominence(static_cast<Kind>(item.kind));
+    double rate = m_options.detectionsPerSecond *
+                  oftenerThanDoors(static_cast<Kind>(item.kind), item.templateIndex >= 0);
+    if (m_options.camera) rate *= m_options.missShare;
     return static_cast<float>(rate) * geometry.visible;
 }
 
@@ -372,7 +429,7 @@ float SensorModel::expectedRate(std::uint32_t region, Spot at, const Gaze& gaze)
     for (const View& view : viewsNear(region, at)) {
         const Item& item = m_items[view.item];
         Geometry geometry;
-        if (item.kind == indexOf(Kind::Place) || !geometryOf(item, view, at, geometry)) continue;
+        if (item.kind == indexOf(Kind::Place) || !geometryOf(item, view, region, at, geometry)) continue;
         float off = wrapDeg(quickDirectionDeg(geometry.dx, geometry.dy) - gaze.yawDeg);
         float any = gaze.unknownShare * 2.0F * kHalfViewDeg / 360.0F;
         sum += rateOf(item, geometry) * ((1.0F - gaze.unknownShare) * inPicture(off, steep) + any);
@@ -387,7 +444,7 @@ void SensorModel::expectedRates(std::uint32_t region, Spot at, float sigmaDeg,
     for (const View& view : viewsNear(region, at)) {
         const Item& item = m_items[view.item];
         Geometry geometry;
-        if (item.kind == indexOf(Kind::Place) || !geometryOf(item, view, at, geometry)) continue;
+        if (item.kind == indexOf(Kind::Place) || !geometryOf(item, view, region, at, geometry)) continue;
         float rate = rateOf(item, geometry), direction = quickDirectionDeg(geometry.dx, geometry.dy);
         for (std::size_t i = 0; i < byDirection.size(); ++i)
             byDirection[i] +=
@@ -396,13 +453,15 @@ void SensorModel::expectedRates(std::uint32_t region, Spot at, float sigmaDeg,
 }
 
 void SensorModel::readText(const Detection& detection, Look& look, double& falseFactor) const {
-    std::string text = foldedForMatching(detection.text);
+    constexpr double kLooksAlike = 0.15; // of readings: all wrong letters look like the right ones
+    std::string text = foldedForMatching(detection.text), shape = shapeOf(text);
     look.textFactor.assign(std::max<std::size_t>(1, m_texts.size()), 0.0F);
     double sum = 0.0, share = 0.0;
     for (std::size_t t = 0; t < m_texts.size(); ++t) {
         int edits = shortEditDistance(text, m_texts[t]);
         double letters = kLetters * static_cast<double>(std::max<std::size_t>(1, m_texts[t].size()));
         double factor = edits == 0   ? m_options.textRead
+                        : shape == shapeOf(m_texts[t]) ? kLooksAlike
                         : edits == 1 ? 6.0 * m_options.textOneOff / letters
                         : edits == 2 ? 12.0 * m_options.textTwoOff / (letters * letters)
                                      : 0.0;
@@ -416,6 +475,12 @@ void SensorModel::readText(const Detection& detection, Look& look, double& false
     falseFactor *= m_options.mappedFalseText * mapped + (1.0 - m_options.mappedFalseText) * guessed;
 }
 
+/// What was trained with its size measured tells its range well.
+double SensorModel::spreadOfRange(const Detection& detection) const {
+    double usual = rangeSigma(detection.kind), told = detection.rangeSpread.value_or(0.0);
+    return m_options.camera && told > 0.0 ? told : std::max(usual, told);
+}
+
 Look SensorModel::prepare(const Detection& detection) const {
     Look look;
     look.kind = detection.kind;
@@ -425,7 +490,8 @@ Look SensorModel::prepare(const Detection& detection) const {
         // The reader answers "text" whatever the words stand on.
         if (detection.kind == Kind::Text && actual == Kind::Sign) share = same;
         look.kindFactor[indexOf(actual)] =
-            static_cast<float>(m_options.detectionsPerSecond * prominence(actual) * share);
+            static_cast<float>(m_options.detectionsPerSecond *
+                               oftenerThanDoors(actual, !detection.templateId.empty()) * share);
     }
     double falseLikelihood = m_options.falsePerSecond * falseShare(detection.kind);
     if (detection.kind == Kind::Place) falseLikelihood = falsePlace(detection.strength);
@@ -445,10 +511,10 @@ Look SensorModel::prepare(const Detection& detection) const {
     if (detection.rangeM && std::isfinite(*detection.rangeM) && *detection.rangeM > 0.0) {
         look.hasRange = true;
         look.logRange = static_cast<float>(std::log(std::clamp(*detection.rangeM, 0.3, 20.0)));
-        double sigma = std::max(rangeSigma(detection.kind), detection.rangeSpread.value_or(0.0));
+        double sigma = spreadOfRange(detection);
         look.rangeVariance = static_cast<float>(sigma * sigma);
         if (detection.kind != Kind::Place)
-            falseLikelihood *= double(normalDensity(look.logRange - kLog2, 0.25F));
+            falseLikelihood *= double(normalDensity(look.logRange - kLog2, falseRangeVariance(m_options)));
     }
     double sigma = m_options.bearingSigmaDeg;
     if (detection.bearing && std::isfinite(detection.bearing->value)) {
@@ -474,7 +540,7 @@ Look SensorModel::prepare(const Detection& detection) const {
 void SensorModel::weighUniform(Look& look) const {
     double perFalse = double(look.inverseFalse) / (look.hasBearing ? 360.0 : 6.0);
     if (look.hasRange && look.kind != Kind::Place)
-        perFalse *= double(normalDensity(look.logRange - kLog2, 0.25F));
+        perFalse *= double(normalDensity(look.logRange - kLog2, falseRangeVariance(m_options)));
     if (look.kind == Kind::Place) perFalse = double(look.inverseFalse) * m_options.placeSigmaDeg / 144.0;
     double sum = 0.0;
     auto add = [&](double part) { look.groupSums.push_back(sum += part); };
@@ -534,7 +600,7 @@ BirthPose SensorModel::poseAt(const Item& item, const Look& look, double u, doub
     double spread = look.hasRange ? std::sqrt(double(look.rangeVariance)) : 0.4;
     double range =
         std::exp((look.hasRange ? double(look.logRange) : double(kLog2)) + spread * 2.0 * (v - 0.5) * 1.7);
-    range = std::clamp(range, 0.3, double(kSeenM) - 0.1);
+    range = std::clamp(range, 0.3, double(item.reachM) - 0.1);
     pose.at = {item.at.x + float(range * std::cos(away)), item.at.y + float(range * std::sin(away))};
     pose.yawDeg = static_cast<float>(away) * kRadToDeg + 180.0F - look.bearingDeg;
     return pose;

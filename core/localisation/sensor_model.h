@@ -18,6 +18,9 @@ inline constexpr std::size_t kKindCount = static_cast<std::size_t>(Kind::Other) 
 
 /// Probabilities and rates of the sensors, fitted on walks of buildings of our own (tests/bench/README.md).
 struct SensorOptions {
+    /// What the recognisers of this program see through a camera: trained things as far as their size allows,
+    /// again and again. Off: eyes as poor as those of the localisation study, 4 m and one sight in three seconds.
+    bool camera = false;
     double detectionsPerSecond = 0.35; ///< of one landmark in full view
     double falsePerSecond = 0.0168;    ///< of things that the map does not hold
     double sameKind = 0.94;            ///< a landmark is reported as what it is
@@ -32,6 +35,12 @@ struct SensorOptions {
     /// against the place itself.
     double unsurveyedTwin = 0.9;
     double lookAlikeFalse = 10.0; ///< how much oftener a place is told wrongly where another fits as well
+    double farthestM = 20.0;     ///< of what a camera recognises
+    double sizesAway = 22.0;     ///< a trained thing is recognised from so many of its own sizes away
+    double missShare = 0.25;     ///< of what a camera should have seen: misses of one thing go together
+
+    /// Eyes of this program's own recognisers, fitted on rendered pictures.
+    static SensorOptions ofCamera();
 
     Result<void> check() const;
 };
@@ -105,6 +114,7 @@ private:
         std::uint8_t kind = 0;
         bool twin = false;  ///< no place, but what one on another floor may be mistaken for
         float share = 0.0F; ///< of all walking from where it is in view
+        float reachM = 0.0F; ///< recognised from no farther away
     };
     struct View { ///< a landmark as seen from a region
         float along = 0.0F;
@@ -126,7 +136,12 @@ private:
     void weighLookAlikes(const recognition::Detection& detection, Look& look, double& falseFactor) const;
     static double falsePlace(double strength);
     bool elsewhere(std::int32_t one, std::int32_t other) const;
-    bool geometryOf(const Item& item, const View& view, Spot at, Geometry& geometry) const;
+    bool geometryOf(const Item& item, const View& view, std::uint32_t region, Spot at,
+                    Geometry& geometry) const;
+    float reachOf(const building::Landmark& landmark) const;
+    float visibleAt(const Item& item, float range) const;
+    double spreadOfRange(const recognition::Detection& detection) const;
+    double oftenerThanDoors(Kind kind, bool trained) const;
     static float inPicture(float offDeg, float steepness);
     float rateOf(const Item& item, const Geometry& geometry) const;
     float factorOf(const Look& look, const Item& item) const;
@@ -141,6 +156,7 @@ private:
 
     std::shared_ptr<const WalkingMap> m_map;
     SensorOptions m_options;
+    float m_farthestM; ///< no landmark is recognised from farther away
     std::vector<Item> m_items;
     std::vector<View> m_views;
     std::vector<std::uint32_t> m_firstView;

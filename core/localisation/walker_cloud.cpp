@@ -15,6 +15,7 @@ constexpr float kRadToDeg = 57.29578F;
 constexpr float kYawUnknown = 8000.0F; // square degrees: as good as no idea
 constexpr double kStandsBelow = 0.2;   // of the usual pace
 constexpr float kGraceS = 1.2F;
+constexpr float kDrawnYawDeg = 15.0F; // of a direction drawn by chance, for what lies between two of them
 constexpr float kNeutral = 0.6F; // what the right guess gets in the mean where turns tell something
 
 float directionDeg(Spot from, Spot to) {
@@ -77,8 +78,13 @@ void WalkerCloud::spread(std::size_t count, double weight, std::optional<std::ui
         walker.follows = double(m_random.uniform()) < m_options.walking.followShare;
         walker.stands = m_random.uniform() < 0.4F;
         walker.weight = static_cast<float>(weight / static_cast<double>(count));
-        choose(walker, -1);
-        walker.yawDeg = walker.headingDeg;
+        if (m_options.walking.free) {
+            walker.yawDeg = walker.headingDeg = 360.0F * m_random.uniform() - 180.0F;
+            walker.yawVariance = kDrawnYawDeg * kDrawnYawDeg;
+        } else {
+            choose(walker, -1);
+            walker.yawDeg = walker.headingDeg;
+        }
         m_walkers.push_back(walker);
     }
 }
@@ -92,7 +98,7 @@ Walker WalkerCloud::born(const BirthPose& pose, float weight) {
     walker.weight = weight;
     walker.follows = m_random.uniform() < 0.6F;
     constexpr int kTries = 3; // somewhere the camera looks to, if there is such a way
-    for (int i = 0; i < kTries; ++i) {
+    for (int i = 0; i < kTries && !m_options.walking.free; ++i) {
         choose(walker, -1);
         if (std::abs(wrappedDeg(walker.headingDeg - pose.yawDeg)) < 60.0F) break;
         walker.follows = walker.follows && m_random.uniform() < 0.5F;
@@ -103,6 +109,7 @@ Walker WalkerCloud::born(const BirthPose& pose, float weight) {
 }
 
 void WalkerCloud::reconsider() {
+    if (m_options.walking.free) return;
     for (Walker& walker : m_walkers) {
         walker.follows = double(m_random.uniform()) < m_options.walking.followShare;
         if (walker.climbTo < 0) choose(walker, -1);
@@ -264,6 +271,7 @@ void WalkerCloud::climb(Walker& walker, float metres) {
     walker.region = beyond.region;
     walker.at = beyond.at;
     walker.climbTo = -1;
+    if (m_options.walking.free) return;
     walker.graceS = kGraceS;
     walker.yawVariance = 1e6F;
     choose(walker, from);
@@ -374,7 +382,7 @@ double WalkerCloud::advance(const MotionSpan& motion, const SensorModel& sensors
     double before = 0.0, after = 0.0;
     for (Walker& walker : m_walkers) {
         before += double(walker.weight);
-        changeMind(walker, motion.seconds);
+        if (!walking.free) changeMind(walker, motion.seconds);
         bool moving = motion.pace >= kStandsBelow;
         if (!motion.measured) {
             if (m_random.uniform() < (walker.stands ? starts : stops)) walker.stands = !walker.stands;
@@ -386,9 +394,11 @@ double WalkerCloud::advance(const MotionSpan& motion, const SensorModel& sensors
         if (motion.measured) walker.weight *= standingWeight(walker, motion, moving);
         if (walker.climbTo >= 0)
             climb(walker, walker.speed * seconds * std::max(0.0F, noise));
-        else
+        else if (!walking.free)
             walk(walker, metres);
-        if (motion.measured) {
+        if (walking.free) {
+            stride(walker, motion, moving, metres);
+        } else if (motion.measured) {
             float fits = turn(walker, motion, moving);
             walker.weight *= std::pow(std::max(1e-4F, fits), static_cast<float>(walking.headingTrust));
         }

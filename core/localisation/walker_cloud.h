@@ -22,6 +22,7 @@ struct Walker {
     float headingDeg = 0.0F;                 ///< of walking
     float yawDeg = 0.0F, yawVariance = 1e6F; ///< of the camera
     float graceS = 0.0F;                     ///< still turning to the new heading
+    float swayDeg = 0.0F;                    ///< of the camera against the body, of those who walk freely
     float weight = 0.0F;
     std::uint8_t watch = 0; ///< 0: of the belief; 1, 2: of those kept apart from it
     bool follows = false;
@@ -85,6 +86,12 @@ private:
     float settle(Walker& walker);
     float standingWeight(Walker& walker, const MotionSpan& motion, bool moving);
     float drawSpeed();
+    // Walking freely (stride.cpp): where the camera looks, between the walls.
+    void stride(Walker& walker, const MotionSpan& motion, bool moving, float metres);
+    void roam(Walker& walker, float metres);
+    bool passThrough(Walker& walker, Spot way, float& metres);
+    bool slide(Walker& walker, Spot way, float metres);
+    void mayTake(Walker& walker, bool moving, float seconds);
     void renew(std::size_t first, std::size_t last, std::size_t capacity);
 
     std::shared_ptr<WalkingMap> m_map;

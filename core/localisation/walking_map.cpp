@@ -141,6 +141,10 @@ void WalkingMap::addAccess(const Access& access, std::uint32_t a, std::uint32_t 
         two.along = one.along;
         two.halfWidthM = one.halfWidthM;
     }
+    one.isOpening = two.isOpening = access.kind == AccessKind::Opening;
+    double open = length(ends);
+    if (open > 0.1) one.sill = two.sill = {float(ends.x / open), float(ends.y / open)};
+    one.halfOpenM = two.halfOpenM = float(std::max(open, access.widthM.value_or(0.9)) / 2.0);
     m_nodes.push_back(one);
     m_nodes.push_back(two);
 }

@@ -28,6 +28,9 @@ struct WalkingNode {
     float halfWidthM = 0.0F;  ///< how far beside `at` one may pass
     Spot along;               ///< unit vector of the opening
     bool changesLevel = false, isLift = false;
+    bool isOpening = false; ///< nothing to be opened: one comes through without meaning to
+    Spot sill;              ///< unit vector along the opening, of a narrow one too; (0, 0): drawn as a point
+    float halfOpenM = 0.0F; ///< half of its whole width
 };
 
 class WalkingMap {

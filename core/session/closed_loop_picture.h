@@ -16,6 +16,7 @@ namespace farol::session {
 using PictureWatcher =
     std::function<Result<void>(std::uint64_t frame, const simulation::RenderedFrame& picture)>;
 
+/// The camera is known to perception as if it had been calibrated, unless options name one.
 /// `library` may be null: no trained landmarks. `watcher` may be empty; its error ends the walk. `warnings`:
 /// what perception has to do without.
 Result<ClosedLoop::Eye> pictureEye(const simulation::World& world, const simulation::CameraOptions& camera,

@@ -8,7 +8,7 @@ namespace farol::session {
 
 namespace {
 
-constexpr const char* kGuidedLocaliser = "bayes-guided";
+constexpr const char* kGuidedLocalisers = "bayes-guided";
 constexpr double kGuidedSure = 0.8;
 
 Result<std::shared_ptr<const routing::Planner>>
@@ -54,7 +54,7 @@ Result<void> NavigatorOptions::check() const {
 NavigatorOptions NavigatorOptions::with(const std::string& localiser) {
     NavigatorOptions options;
     options.localiser = localiser;
-    if (localiser == kGuidedLocaliser) options.guidance.sureConfidence = kGuidedSure;
+    if (localiser.rfind(kGuidedLocalisers, 0) == 0) options.guidance.sureConfidence = kGuidedSure;
     return options;
 }
 

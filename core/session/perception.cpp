@@ -340,10 +340,20 @@ bool Perception::knownByItsLook(const recognition::Detection& detection) const {
     return false;
 }
 
+/// A calibrated camera tells where each thing lies, also one whose size nobody knows.
+void Perception::tellBearings(std::vector<recognition::Detection>& detections) const {
+    for (recognition::Detection& detection : detections) {
+        if (detection.bearing || detection.kind == Kind::Place) continue;
+        if (auto camera = m_options.camera->forPictures(detection.image))
+            recognition::place(detection, *camera, {}, {});
+    }
+}
+
 void Perception::tell(const Post& post, Sight sight, Percept& percept) {
     bool isText = post.sense == recognition::Sense::Text;
     bool complete = !isText && !wasBlurred(sight.result);
     bool dense = !m_tracker.sparse(sight.frame);
+    if (m_options.camera) tellBearings(sight.result.detections);
     for (const recognition::Rejection& rejection : sight.result.rejections)
         if (isText && wasReadInVain(rejection))
             m_unread.push_back({rejection.quad, sight.time + kTryAgainSeconds});

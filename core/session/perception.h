@@ -91,6 +91,7 @@ private:
     recognition::TextPlaces placesToRead(double time);
     void fetch(Post& post, Percept& percept, HopTimes& times);
     bool knownByItsLook(const recognition::Detection& detection) const;
+    void tellBearings(std::vector<recognition::Detection>& detections) const;
     void tell(const Post& post, Sight sight, Percept& percept);
     bool tellText(const Sight& sight, recognition::Detection& read, Percept& percept);
     void tellTracks(Percept& percept);

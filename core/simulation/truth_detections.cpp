@@ -10,9 +10,12 @@ namespace farol::simulation {
 namespace {
 
 constexpr ImageSize kImage{640, 480};
-constexpr double kSceneSeconds = 0.8, kMotionSeconds = 1.0;
+constexpr double kSceneSeconds = 0.8;
+constexpr double kCameraSpread = 0.1;
 /// Misses of one object go together as long as it is in view.
 constexpr double kVisitSeconds = 20.0;
+/// Out of the picture for longer it is followed no more.
+constexpr double kFollowedSeconds = 1.0, kLookSeconds = 0.4;
 
 /// Spread of the logarithm of a range, by what it is measured on.
 double rangeSpread(Kind kind) {
@@ -53,12 +56,32 @@ bool detectable(const building::Landmark& landmark) {
     }
 }
 
+/// How far the recognisers see a thing: a trained one while it is some two dozen pixels wide.
+double reachOf(const building::Landmark& landmark) {
+    constexpr double kSizesAway = 24.0, kUntrainedM = 4.8, kFarthestM = 19.0;
+    if (landmark.templateId.empty()) return kUntrainedM;
+    double size = std::min(landmark.widthM.value_or(0.5), landmark.tallM.value_or(0.5));
+    return std::clamp(kSizesAway * size, 2.5, kFarthestM);
+}
+
 double farFactor(double range, double reach) {
     if (range < 1.0) return 0.3 + 0.7 * range;
     return range < 2.6 ? 1.0 : std::max(0.0, (reach - range) / (reach - 2.6));
 }
 
 } // namespace
+
+TruthDetectionOptions TruthDetectionOptions::ofCamera() {
+    TruthDetectionOptions options;
+    options.camera = true;
+    options.detectionsPerSecond = 0.35;
+    options.wrongKind = 0.005;
+    options.misread = 0.1;
+    options.falsePerSecond = 0.01;
+    options.lostFlow = 0.15;
+    options.viewDegrees = 63.0;
+    return options;
+}
 
 Result<void> TruthDetectionOptions::check() const {
     for (double share : {wrongKind, misread, noRange, stale, lostFlow})
@@ -97,6 +120,7 @@ void TruthDetections::placeThings() {
         thing.heightM = landmark.heightM.value_or(thing.heightM);
         thing.wideM = landmark.widthM.value_or(thing.wideM);
         thing.tallM = landmark.tallM.value_or(thing.tallM);
+        thing.reachM = m_options.camera ? reachOf(landmark) : m_options.reachM;
         m_things[*region].push_back(std::move(thing));
     }
     for (std::size_t region = 0; region < m_things.size(); ++region) addClutter(region);
@@ -131,7 +155,7 @@ bool TruthDetections::inView(const Thing& thing, std::size_t region, const Passa
 void TruthDetections::see(Thing& thing, std::size_t region, const Passage* through) {
     Point2 to = thing.at - m_pose.position;
     double range = length(to);
-    if (range > m_options.reachM || range < 0.3) return;
+    if (range > thing.reachM || range < 0.3) return;
     Radians bearing = wrapped(directionOf(to) - m_pose.heading);
     if (std::abs(toDegrees(bearing)) > m_options.viewDegrees / 2.0) return;
     double facing = 1.0;
@@ -141,11 +165,28 @@ void TruthDetections::see(Thing& thing, std::size_t region, const Passage* throu
     }
     if (facing <= 0.0 || !inView(thing, region, through, range)) return;
     if (m_pose.time - thing.lastSeen > kVisitSeconds) thing.luck = between(0.2, 1.8);
+    if (m_pose.time - thing.lastSeen > kFollowedSeconds) {
+        thing.track = ++m_lastTrack;
+        thing.confirmations = 0;
+    }
     thing.lastSeen = m_pose.time;
+    if (!chance(seenPerSecond(thing, range) * facing * m_seconds)) return;
+    ++thing.confirmations;
+    // What is followed is told from its second sight on, and then a few times a second.
+    if (m_options.camera && (thing.confirmations < 2 || m_pose.time - thing.lastTold < kLookSeconds)) return;
+    thing.lastTold = m_pose.time;
+    tell(thing, range, bearing, false);
+}
+
+double TruthDetections::seenPerSecond(const Thing& thing, double range) const {
+    double rate = m_options.detectionsPerSecond * thing.luck;
+    if (m_options.camera) {
+        constexpr double kTrained = 6.0;
+        double far = std::clamp((thing.reachM - range) / (0.4 * thing.reachM), 0.0, 1.0);
+        return rate * far * (thing.templateId.empty() ? 1.0 : kTrained);
+    }
     double prominent = thing.kind == Kind::ExitSign ? 1.6 : thing.kind == Kind::Stairs ? 1.3 : 1.0;
-    double rate =
-        m_options.detectionsPerSecond * prominent * thing.luck * facing * farFactor(range, m_options.reachM);
-    if (chance(rate * m_seconds)) tell(thing, range, bearing, false);
+    return rate * prominent * farFactor(range, m_options.reachM);
 }
 
 Kind TruthDetections::confused(Kind kind) {
@@ -185,12 +226,18 @@ void TruthDetections::tell(const Thing& thing, double range, Radians bearing, bo
     detection.kind = wrong ? confused(thing.kind) : thing.kind;
     if (!wrong) detection.templateId = thing.templateId;
     if (detection.kind == Kind::Text) detection.text = invented ? thing.text : misread(thing.text);
-    double spread = invented ? 0.0 : rangeSpread(thing.kind);
-    double measured = std::clamp(range * std::exp(spread * m_random.normal()), 0.45, 6.0);
+    double spread = invented ? 0.0 : m_options.camera ? kCameraSpread : rangeSpread(thing.kind);
+    double measured = std::clamp(range * std::exp(spread * m_random.normal()), 0.45, m_options.camera ? 25.0 : 6.0);
     double half = m_options.viewDegrees / 2.0;
-    double degrees = toDegrees(bearing) + (invented ? 0.0 : 3.0 * m_random.normal());
+    double degrees = toDegrees(bearing) + (invented ? 0.0 : (m_options.camera ? 1.5 : 3.0) * m_random.normal());
     degrees = std::clamp(degrees, -half, half);
-    if (!chance(m_options.noRange)) detection.rangeM = measured;
+    bool sized = !m_options.camera || thing.kind == Kind::Door || !thing.templateId.empty();
+    if (sized && !chance(m_options.noRange)) detection.rangeM = measured;
+    if (m_options.camera) {
+        if (detection.rangeM) detection.rangeSpread = 2.0 * kCameraSpread;
+        detection.track = thing.track;
+        detection.confirmations = std::max(1, thing.confirmations);
+    }
     detection.bearing = fromDegrees(degrees);
     detection.image = kImage;
     detection.score = 0.7;
@@ -230,14 +277,15 @@ void TruthDetections::seeRegion(std::size_t region, const Passage* through) {
 recognition::Motion TruthDetections::motion() {
     recognition::Motion motion;
     m_walkedM += m_pose.speed * m_seconds;
-    if (m_pose.time - m_motionAt < kMotionSeconds - 1e-6) return motion;
+    double seconds = m_pose.time - m_motionAt;
+    if (seconds <= 0.0) return motion;
     Radians turn = wrapped(m_pose.heading - m_motionHeading);
     double speed =
-        std::max(0.0, m_walkedM / (m_pose.time - m_motionAt) * m_scale * (1.0 + 0.12 * m_random.normal())) +
+        std::max(0.0, m_walkedM / seconds * m_scale * (1.0 + 0.12 * m_random.normal())) +
         0.03 * std::abs(m_random.normal());
     bool lost = chance(m_options.lostFlow);
     if (!lost) {
-        motion.turn = turn + fromDegrees(1.5 * m_random.normal());
+        motion.turn = turn + fromDegrees(1.5 * std::sqrt(seconds) * m_random.normal());
         motion.speed = speed;
     }
     m_motionAt = m_pose.time;
@@ -266,7 +314,8 @@ TruthSight TruthDetections::look(const CameraPose& pose, std::size_t region) {
         seeRegion(region, nullptr);
         for (const Passage& passage : m_world->passagesOf(region)) {
             if (passage.kind != building::AccessKind::Opening || passage.changesLevel()) continue;
-            if (distanceToSegment(pose.position, passage.gap.a, passage.gap.b) > m_options.reachM) continue;
+            double farthest = m_options.camera ? 20.0 : m_options.reachM;
+            if (distanceToSegment(pose.position, passage.gap.a, passage.gap.b) > farthest) continue;
             seeRegion(passage.into, &passage);
         }
     }

@@ -8,6 +8,7 @@ namespace farol::localisation {
 
 namespace {
 
+constexpr double kTurnStaysS = 0.3;
 constexpr double kMostTurns = 3.0, kMostSpeed = 1e6, kLeastUsual = 0.1;
 
 } // namespace
@@ -51,10 +52,16 @@ void MotionLog::add(double time, const recognition::Motion& motion) {
     m_last = time;
     m_now = time;
     // Nobody turns round three times between two pictures: such a number is no measurement.
-    if (motion.turn && std::abs(motion.turn->value) <= kMostTurns * 2.0 * kPi)
+    if (motion.turn && std::abs(motion.turn->value) <= kMostTurns * 2.0 * kPi) {
         m_turnDeg += toDegrees(*motion.turn);
-    else
-        m_unseen += std::min(seconds, m_interval);
+        m_turnRate = seconds > 0.0 ? toDegrees(*motion.turn) / seconds : 0.0;
+    } else {
+        // Whoever was turning goes on for a moment: nearer to the truth than a sudden stop.
+        double unseen = std::min(seconds, m_interval), stays = std::exp(-unseen / kTurnStaysS);
+        m_turnDeg += m_turnRate * kTurnStaysS * (1.0 - stays);
+        m_turnRate *= stays;
+        m_unseen += unseen;
+    }
     if (motion.speed && *motion.speed >= 0.0 && *motion.speed <= kMostSpeed) m_pace = paceOf(*motion.speed);
     if (motion.walking == false) m_pace = 0.0;
     m_measured += m_pace * std::min(seconds, kSilenceS);

@@ -33,6 +33,7 @@ private:
     double m_usual = 0.0;        ///< the walk's own usual speed, in the scale of the lines
     std::deque<double> m_speeds; ///< that it rests on
     double m_turnDeg = 0.0;
+    double m_turnRate = 0.0; ///< degrees a second, last measured; fading while nothing is
     double m_unseen = 0.0;   ///< seconds whose turn is not known
     double m_interval = 1.0; ///< usual time from line to line
     double m_ahead = 0.0;    ///< of `pace` seconds handed out before they were measured

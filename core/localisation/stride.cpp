@@ -38,7 +38,6 @@ bool WalkerCloud::passThrough(Walker& walker, Spot way, float& metres) {
         const WalkingNode& node = m_map->nodes()[index];
         if (node.across < 0 || node.changesLevel) continue;
         Spot to{node.at.x - walker.at.x, node.at.y - walker.at.y};
-        const WalkingNode& beyond = m_map->nodes()[static_cast<std::size_t>(node.across)];
         // Where the way meets the line of the door; one drawn as a point lies across the way.
         Spot sill = node.sill;
         if (sill.x == 0.0F && sill.y == 0.0F) sill = {-way.y, way.x};
@@ -50,8 +49,7 @@ bool WalkerCloud::passThrough(Walker& walker, Spot way, float& metres) {
         if (ahead > metres + kByHandM || ahead < -2.0F * kByHandM) continue;
         if (std::abs(beside) > node.halfOpenM + kByHandM) continue;
         // Outwards, not back into the region.
-        Spot out{beyond.at.x - node.at.x, beyond.at.y - node.at.y};
-        if (out.x * way.x + out.y * way.y <= 0.0F) continue;
+        if (node.out.x * way.x + node.out.y * way.y < 0.0F) continue;
         float cost = std::abs(ahead) + std::max(0.0F, std::abs(beside) - node.halfOpenM);
         if (cost >= least) continue;
         least = cost;
@@ -122,9 +120,9 @@ void WalkerCloud::mayTake(Walker& walker, bool moving, float seconds) {
         if (!node.changesLevel) {
             if (!moving || node.isOpening) continue;
             // Whoever comes through faces that way.
-            Spot out{beyond.at.x - node.at.x, beyond.at.y - node.at.y};
-            float off = wrappedDeg(walker.yawDeg - quickDirectionDeg(out.x, out.y)) / kThroughDeg;
-            rate *= std::exp(-0.5F * off * off);
+            bool known = node.out.x != 0.0F || node.out.y != 0.0F;
+            float off = wrappedDeg(walker.yawDeg - quickDirectionDeg(node.out.x, node.out.y)) / kThroughDeg;
+            if (known) rate *= std::exp(-0.5F * off * off);
         }
         if (m_random.uniform() > 1.0F - std::exp(-rate * seconds)) continue;
         if (!node.changesLevel) {

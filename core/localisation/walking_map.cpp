@@ -120,6 +120,29 @@ void WalkingMap::measureRegions() {
     }
 }
 
+namespace {
+
+/// Across a door from one region into the other: the side on which there is less of the one and more of the
+/// other.
+Spot outwards(const Polygon& from, const Polygon& into, Point2 at, Spot sill) {
+    int best = 0;
+    Spot way;
+    for (double side : {1.0, -1.0}) {
+        int speaksForIt = 0;
+        for (double metres : {0.2, 0.5}) {
+            Point2 there{at.x - side * metres * double(sill.y), at.y + side * metres * double(sill.x)};
+            Point2 here{at.x + side * metres * double(sill.y), at.y - side * metres * double(sill.x)};
+            speaksForIt += contains(into, there) + contains(from, here) - contains(from, there) - contains(into, here);
+        }
+        if (speaksForIt <= best) continue;
+        best = speaksForIt;
+        way = {static_cast<float>(-side) * sill.y, static_cast<float>(side) * sill.x};
+    }
+    return way;
+}
+
+} // namespace
+
 void WalkingMap::addAccess(const Access& access, std::uint32_t a, std::uint32_t b) {
     const auto& regions = m_building->regions();
     Point2 at = access.midpoint();
@@ -145,6 +168,8 @@ void WalkingMap::addAccess(const Access& access, std::uint32_t a, std::uint32_t 
     double open = length(ends);
     if (open > 0.1) one.sill = two.sill = {float(ends.x / open), float(ends.y / open)};
     one.halfOpenM = two.halfOpenM = float(std::max(open, access.widthM.value_or(0.9)) / 2.0);
+    one.out = outwards(regions[a].polygon, regions[b].polygon, at, one.sill);
+    two.out = outwards(regions[b].polygon, regions[a].polygon, at, one.sill);
     m_nodes.push_back(one);
     m_nodes.push_back(two);
 }

@@ -30,6 +30,7 @@ struct WalkingNode {
     bool changesLevel = false, isLift = false;
     bool isOpening = false; ///< nothing to be opened: one comes through without meaning to
     Spot sill;              ///< unit vector along the opening, of a narrow one too; (0, 0): drawn as a point
+    Spot out;               ///< unit vector across it, out of the region; (0, 0): not known
     float halfOpenM = 0.0F; ///< half of its whole width
 };
 

@@ -16,17 +16,17 @@ struct PointFlow {
 };
 
 struct FlowModelOptions {
-    int minPoints = 24;
-    double minInlierShare = 0.7;
+    int minPoints = 14;
+    double minInlierShare = 0.72;
     /// A point fits when it is this close to the model, in normalised units (about half a pixel at 320 px).
     double inlierDistance = 0.0025;
     /// How far from the optical axis people walk, as a standard deviation (tangent of the angle). It decides
     /// where the picture alone cannot: a wall filling the view looks alike when it slides by and when the
     /// camera turns.
     double headingSpreadX = 0.22, headingSpreadY = 0.12;
-    double maxHeadingX = 0.45;
+    double maxHeadingX = 0.55;
     /// Directions of walking that explain the points nearly as well may disagree about the turn by this much.
-    double maxTurnDoubtRad = 0.012;
+    double maxTurnDoubtRad = 0.03;
 };
 
 /// Camera frame: x right, y down, z forward.

@@ -78,7 +78,7 @@ TruthDetectionOptions TruthDetectionOptions::ofCamera() {
     options.wrongKind = 0.005;
     options.misread = 0.1;
     options.falsePerSecond = 0.01;
-    options.lostFlow = 0.15;
+    options.lostFlow = 0.3;
     options.viewDegrees = 63.0;
     return options;
 }

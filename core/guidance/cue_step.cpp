@@ -356,6 +356,7 @@ Cue CueStep::arrivalCue() const {
     bool there = m_progress.route && m_progress.route->accesses.empty();
     Cue cue =
         routeCue(there ? CueKind::AlreadyThere : CueKind::Arrived, CuePriority::Arrival, kArrivalSeconds);
+    if (m_progress.doubtful) cue.sure = false;
     nameRegion(cue, m_progress.destination);
     cue.validIn = {m_progress.destination};
     return cue;

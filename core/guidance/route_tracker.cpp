@@ -85,6 +85,10 @@ Result<void> TrackerOptions::check() const {
     if (!(arrivalConfidence >= 0.0 && arrivalConfidence <= 1.0)) {
         return Error{ErrorCode::InvalidArgument, "a confidence is from 0 to 1", "tracker.arrivalConfidence"};
     }
+    if (!(patientConfidence >= 0.0 && patientConfidence <= 1.0 && patientSeconds >= 0.0)) {
+        return Error{ErrorCode::InvalidArgument, "a confidence is from 0 to 1, a time not negative",
+                     "tracker.patientConfidence"};
+    }
     if (!(minConfidence >= 0.0 && minConfidence <= 1.0)) {
         return Error{ErrorCode::InvalidArgument, "a confidence is from 0 to 1", "tracker.minConfidence"};
     }
@@ -106,6 +110,7 @@ void RouteTracker::setDestination(const std::optional<building::Location>& desti
     }
     m_doubtfulFixes = 0;
     m_doubtCounted.reset();
+    m_thereSince.reset();
     m_refusedFrom.reset();
     m_trail = {};
 }
@@ -132,9 +137,18 @@ Progress RouteTracker::update(const Fix& fix) {
         }
         return m_progress;
     }
+    bool there = fix.region == m_destination->region && fix.confidence >= m_options.patientConfidence;
+    if (!there)
+        m_thereSince.reset();
+    else if (!m_thereSince)
+        m_thereSince = fix.time;
     if (m_progress.route) {
         follow(fix);
         if (m_progress.route) watch(fix);
+    } else if (m_options.arrivalConfidence > 0.0 && fix.region == m_destination->region &&
+               fix.confidence < 1.0 && !believed(fix)) {
+        // "You are there already" has to be true as well.
+        m_progress.travel = Travel::NoFix;
     } else if (m_refusedFrom != fix.region) {
         plan(fix);
     }
@@ -149,8 +163,17 @@ bool RouteTracker::believed(const Fix& fix) {
         m_doubtCounted = fix.evidenceTime;
     }
     bool arrival = m_options.arrivalConfidence > 0.0 && fix.region == m_destination->region;
-    if (arrival) return fix.confidence >= m_options.arrivalConfidence && m_doubtfulFixes > 1;
+    if (arrival) {
+        bool sure = fix.confidence >= m_options.arrivalConfidence && m_doubtfulFixes > 1;
+        m_progress.doubtful = !sure && waitedLong(fix);
+        return sure || m_progress.doubtful;
+    }
     return fix.confidence >= m_options.offRouteConfidence || m_doubtfulFixes >= m_options.offRouteFixes;
+}
+
+bool RouteTracker::waitedLong(const Fix& fix) {
+    if (m_options.patientSeconds <= 0.0 || !m_thereSince) return false;
+    return fix.time - *m_thereSince >= m_options.patientSeconds;
 }
 
 void RouteTracker::settle() {

@@ -23,6 +23,7 @@ struct Progress {
     Deviation deviation = Deviation::LeftRoute; ///< of `replanned`: how
     std::optional<Radians> walking; ///< of `replanned`: the way of walking that was seen to be wrong
     bool backAgain = false; ///< of `replanned`: the new way begins with what one has just come through
+    bool doubtful = false;  ///< arrived, probably: nothing was seen that belongs to the destination only
     std::string reason;     ///< why there is no route
 };
 
@@ -37,6 +38,9 @@ struct TrackerOptions {
     /// Above 0: a fix in the destination is believed at this confidence only, and only once something was
     /// seen after the first one. For localisers whose confidence is a probability.
     double arrivalConfidence = 0.0;
+    /// Some rooms show nothing that tells them from the next: whoever has been in the destination, as far as can
+    /// be told, at this confidence or a better one for so long has probably arrived. 0 seconds: never.
+    double patientConfidence = 0.7, patientSeconds = 0.0;
 
     Result<void> check() const;
 };
@@ -57,6 +61,7 @@ public:
 private:
     void follow(const localisation::Fix& fix);
     bool believed(const localisation::Fix& fix);
+    bool waitedLong(const localisation::Fix& fix);
     void watch(const localisation::Fix& fix);
     std::optional<Deviation> straying(const localisation::Fix& fix);
     void plan(const localisation::Fix& fix);
@@ -79,6 +84,7 @@ private:
     std::vector<std::optional<std::size_t>> m_regionOf; ///< of each manoeuvre: index into route->regions
     int m_doubtfulFixes = 0;                            ///< in a row, off the route or jumping along it
     std::optional<double> m_doubtCounted;               ///< evidenceTime of the last of them
+    std::optional<double> m_thereSince;   ///< taken to be in the destination all the while since
     std::optional<RegionId> m_refusedFrom;              ///< planning from there failed
 
     /// Of the present route: how well the positions follow it.

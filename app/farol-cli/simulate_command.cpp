@@ -47,10 +47,10 @@ session::Json jsonOf(const session::ClosedLoopResult& result) {
 
 session::ClosedLoopOptions loopOptions(const SimulateOptions& options) {
     session::ClosedLoopOptions loop;
-    loop.navigator = session::NavigatorOptions::with(!options.localiser.empty() ? options.localiser
-                                                     : options.noVision && options.eyes == "study"
-                                                         ? "bayes-guided-sparse"
-                                                         : "bayes-guided");
+    loop.navigator =
+        session::NavigatorOptions::with(!options.localiser.empty()                    ? options.localiser
+                                        : options.noVision && options.eyes == "study" ? "bayes-guided-sparse"
+                                                                                      : "bayes-guided");
     if (!options.truePlace.empty())
         loop.truePlace = options.truePlace == "spot" ? session::TruePlace::Spot : session::TruePlace::Region;
     loop.knownStart = !options.unknownStart;
@@ -296,7 +296,8 @@ void addSimulateCommand(CLI::App& app, int& exitCode) {
     command->add_flag("--unknown-start", options->unknownStart, "Nobody tells where the walk starts");
     command->add_option("--wilful", options->wilfulness, "Chance, at each door, to take it unasked")
         ->check(CLI::Range(0.0, 1.0));
-    command->add_option("--localiser", options->localiser, "One of farol-cli run's (bayes-guided; without pictures bayes-guided-sparse)");
+    command->add_option("--localiser", options->localiser,
+                        "One of farol-cli run's (bayes-guided; without pictures bayes-guided-sparse)");
     command
         ->add_option("--true-place", options->truePlace,
                      "Tell the navigator the true place instead: region, or spot (with position and heading)")

@@ -38,8 +38,8 @@ struct TrackerOptions {
     /// Above 0: a fix in the destination is believed at this confidence only, and only once something was
     /// seen after the first one. For localisers whose confidence is a probability.
     double arrivalConfidence = 0.0;
-    /// Some rooms show nothing that tells them from the next: whoever has been in the destination, as far as can
-    /// be told, at this confidence or a better one for so long has probably arrived. 0 seconds: never.
+    /// Some rooms show nothing that tells them from the next: whoever has been in the destination, as far as
+    /// can be told, at this confidence or a better one for so long has probably arrived. 0 seconds: never.
     double patientConfidence = 0.7, patientSeconds = 0.0;
 
     Result<void> check() const;
@@ -84,8 +84,8 @@ private:
     std::vector<std::optional<std::size_t>> m_regionOf; ///< of each manoeuvre: index into route->regions
     int m_doubtfulFixes = 0;                            ///< in a row, off the route or jumping along it
     std::optional<double> m_doubtCounted;               ///< evidenceTime of the last of them
-    std::optional<double> m_thereSince;   ///< taken to be in the destination all the while since
-    std::optional<RegionId> m_refusedFrom;              ///< planning from there failed
+    std::optional<double> m_thereSince;    ///< taken to be in the destination all the while since
+    std::optional<RegionId> m_refusedFrom; ///< planning from there failed
 
     /// Of the present route: how well the positions follow it.
     struct Trail {

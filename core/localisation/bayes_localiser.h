@@ -50,7 +50,7 @@ struct BayesOptions {
     double trust = 0.8;          ///< exponent of a detection's likelihood ratio
     double trustRepeated = 0.35; ///< of one like another in the last `repeatSeconds`
     double repeatSeconds = 4.0;
-    double trackSeconds = 1.5; ///< the same thing, followed all the while, tells anew only then
+    double trackSeconds = 1.5;   ///< the same thing, followed all the while, tells anew only then
     double climbSees = 0.05;     ///< what is seen on stairs and in lifts, against elsewhere
     double missTrust = 0.5;      ///< exponent of what should have been seen and was not
     double lostRate = 0.0006;    ///< per second: carried elsewhere, unseen

@@ -14,7 +14,7 @@ using recognition::Detection;
 
 namespace {
 
-constexpr float kSeenM = 4.6F; // by the poor eyes no landmark is recognised from farther away
+constexpr float kSeenM = 4.6F;        // by the poor eyes no landmark is recognised from farther away
 constexpr float kHalfViewDeg = 30.0F; // of the camera
 constexpr float kSteepness = 1.7F;    // of a logistic curve, to be like a normal one of sigma 1
 constexpr float kRadToDeg = 57.29578F;
@@ -330,7 +330,8 @@ bool SensorModel::geometryOf(const Item& item, const View& view, std::uint32_t r
     if (view.opening < 0 && geometry.range > kSeenM && m_map->bent(region)) {
         constexpr float kBeforeM = 0.3F;
         float part = 1.0F - kBeforeM / geometry.range;
-        if (!m_map->straight(region, at, {at.x + part * geometry.dx, at.y + part * geometry.dy})) return false;
+        if (!m_map->straight(region, at, {at.x + part * geometry.dx, at.y + part * geometry.dy}))
+            return false;
     }
     float facing = 1.0F;
     if (item.nx != 0.0F || item.ny != 0.0F) {
@@ -460,11 +461,11 @@ void SensorModel::readText(const Detection& detection, Look& look, double& false
     for (std::size_t t = 0; t < m_texts.size(); ++t) {
         int edits = shortEditDistance(text, m_texts[t]);
         double letters = kLetters * static_cast<double>(std::max<std::size_t>(1, m_texts[t].size()));
-        double factor = edits == 0   ? m_options.textRead
+        double factor = edits == 0                     ? m_options.textRead
                         : shape == shapeOf(m_texts[t]) ? kLooksAlike
-                        : edits == 1 ? 6.0 * m_options.textOneOff / letters
-                        : edits == 2 ? 12.0 * m_options.textTwoOff / (letters * letters)
-                                     : 0.0;
+                        : edits == 1                   ? 6.0 * m_options.textOneOff / letters
+                        : edits == 2                   ? 12.0 * m_options.textTwoOff / (letters * letters)
+                                                       : 0.0;
         look.textFactor[t] = static_cast<float>(factor);
         sum += factor * double(m_shareOfText[t]);
         share += double(m_shareOfText[t]);
@@ -489,9 +490,8 @@ Look SensorModel::prepare(const Detection& detection) const {
         double share = actual == detection.kind ? same : (1.0 - same) * lookAlike(actual, detection.kind);
         // The reader answers "text" whatever the words stand on.
         if (detection.kind == Kind::Text && actual == Kind::Sign) share = same;
-        look.kindFactor[indexOf(actual)] =
-            static_cast<float>(m_options.detectionsPerSecond *
-                               oftenerThanDoors(actual, !detection.templateId.empty()) * share);
+        look.kindFactor[indexOf(actual)] = static_cast<float>(
+            m_options.detectionsPerSecond * oftenerThanDoors(actual, !detection.templateId.empty()) * share);
     }
     double falseLikelihood = m_options.falsePerSecond * falseShare(detection.kind);
     if (detection.kind == Kind::Place) falseLikelihood = falsePlace(detection.strength);

@@ -19,7 +19,8 @@ inline constexpr std::size_t kKindCount = static_cast<std::size_t>(Kind::Other) 
 /// Probabilities and rates of the sensors, fitted on walks of buildings of our own (tests/bench/README.md).
 struct SensorOptions {
     /// What the recognisers of this program see through a camera: trained things as far as their size allows,
-    /// again and again. Off: eyes as poor as those of the localisation study, 4 m and one sight in three seconds.
+    /// again and again. Off: eyes as poor as those of the localisation study, 4 m and one sight in three
+    /// seconds.
     bool camera = false;
     double detectionsPerSecond = 0.35; ///< of one landmark in full view
     double falsePerSecond = 0.0168;    ///< of things that the map does not hold

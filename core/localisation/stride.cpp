@@ -21,6 +21,7 @@ constexpr float kLeastYawVariance = 36.0F;
 constexpr float kMostYawVariance = 900.0F;
 /// Doors, stairs and lifts are taken from so near.
 constexpr float kAtHandM = 1.3F;
+constexpr float kClimbFromM = 2.4F; // stairs are wide, and so is what is in front of a lift
 constexpr float kThroughDeg = 30.0F;
 
 Spot unit(float degrees) {
@@ -111,7 +112,8 @@ void WalkerCloud::mayTake(Walker& walker, bool moving, float seconds) {
     const WalkingOptions& walking = m_options.walking;
     for (std::uint32_t index : m_map->nodesOf(walker.region)) {
         const WalkingNode& node = m_map->nodes()[index];
-        if (node.across < 0 || gapBetween(walker.at, node.at) > kAtHandM) continue;
+        float reach = node.changesLevel ? kClimbFromM : kAtHandM;
+        if (node.across < 0 || gapBetween(walker.at, node.at) > reach) continue;
         bool asked = m_map->hasGoal() && m_map->leadsOn(index);
         auto rate = static_cast<float>(!node.changesLevel ? (asked ? walking.doorRate : walking.doorUnasked)
                                        : asked            ? walking.climbRate
@@ -148,8 +150,7 @@ void WalkerCloud::stride(Walker& walker, const MotionSpan& motion, bool moving, 
                                                   static_cast<float>(walking.bodySwayDeg) * m_random.normal();
     float drawn = std::sqrt(noise) * m_random.normal();
     walker.yawDeg = wrappedDeg(walker.yawDeg + motion.turnDeg + drawn);
-    walker.yawVariance =
-        std::clamp(walker.yawVariance + 0.25F * noise, kLeastYawVariance, kMostYawVariance);
+    walker.yawVariance = std::clamp(walker.yawVariance + 0.25F * noise, kLeastYawVariance, kMostYawVariance);
     walker.headingDeg = walker.yawDeg;
     if (walker.climbTo >= 0) return;
     if (moving) roam(walker, metres);

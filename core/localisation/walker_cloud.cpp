@@ -16,7 +16,7 @@ constexpr float kYawUnknown = 8000.0F; // square degrees: as good as no idea
 constexpr double kStandsBelow = 0.2;   // of the usual pace
 constexpr float kGraceS = 1.2F;
 constexpr float kDrawnYawDeg = 15.0F; // of a direction drawn by chance, for what lies between two of them
-constexpr float kNeutral = 0.6F; // what the right guess gets in the mean where turns tell something
+constexpr float kNeutral = 0.6F;      // what the right guess gets in the mean where turns tell something
 
 float directionDeg(Spot from, Spot to) {
     return quickDirectionDeg(to.x - from.x, to.y - from.y);

@@ -132,7 +132,8 @@ Spot outwards(const Polygon& from, const Polygon& into, Point2 at, Spot sill) {
         for (double metres : {0.2, 0.5}) {
             Point2 there{at.x - side * metres * double(sill.y), at.y + side * metres * double(sill.x)};
             Point2 here{at.x + side * metres * double(sill.y), at.y - side * metres * double(sill.x)};
-            speaksForIt += contains(into, there) + contains(from, here) - contains(from, there) - contains(into, here);
+            speaksForIt +=
+                contains(into, there) + contains(from, here) - contains(from, there) - contains(into, here);
         }
         if (speaksForIt <= best) continue;
         best = speaksForIt;

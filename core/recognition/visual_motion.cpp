@@ -40,6 +40,23 @@ std::vector<cv::Point2f> freshPoints(const cv::Mat& grey, int count) {
     return points;
 }
 
+/// How far the picture as a whole moved; empty where most of it did not move alike.
+std::optional<cv::Point2f> wholeShift(const cv::Mat& before, const cv::Mat& after) {
+    constexpr double kLeastResponse = 0.08;
+    constexpr int kSmallSide = 80;
+    double scale = double(kSmallSide) / before.cols;
+    cv::Mat a, b, window;
+    cv::resize(before, a, {}, scale, scale, cv::INTER_AREA);
+    cv::resize(after, b, {}, scale, scale, cv::INTER_AREA);
+    a.convertTo(a, CV_32F);
+    b.convertTo(b, CV_32F);
+    cv::createHanningWindow(window, a.size(), CV_32F);
+    double response = 0.0;
+    cv::Point2d shift = cv::phaseCorrelate(a, b, window, &response);
+    if (response < kLeastResponse || !std::isfinite(shift.x) || !std::isfinite(shift.y)) return std::nullopt;
+    return cv::Point2f(static_cast<float>(shift.x / scale), static_cast<float>(shift.y / scale));
+}
+
 double median(std::vector<double> values) {
     auto mid = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
     std::nth_element(values.begin(), mid, values.end());
@@ -106,7 +123,7 @@ Motion VisualMotion::observe(const cv::Mat& image, double time) {
     return motion;
 }
 
-std::vector<PointFlow> VisualMotion::follow(const cv::Mat& grey) const {
+std::vector<PointFlow> VisualMotion::follow(const cv::Mat& grey, cv::Point2f guess) const {
     if (m_points.empty()) return {};
     std::vector<cv::Point2f> there, back;
     std::vector<unsigned char> found, foundBack;
@@ -114,8 +131,16 @@ std::vector<PointFlow> VisualMotion::follow(const cv::Mat& grey) const {
     const cv::Size window(15, 15);
     constexpr int kPyramidLevels = 3;
     const cv::TermCriteria stop(cv::TermCriteria::COUNT | cv::TermCriteria::EPS, 20, 0.01);
-    cv::calcOpticalFlowPyrLK(m_before, grey, m_points, there, found, errors, window, kPyramidLevels, stop);
-    cv::calcOpticalFlowPyrLK(grey, m_before, there, back, foundBack, errors, window, kPyramidLevels, stop);
+    int flags = 0;
+    if (guess != cv::Point2f()) {
+        flags = cv::OPTFLOW_USE_INITIAL_FLOW;
+        for (cv::Point2f p : m_points) there.push_back(p + guess);
+        back = m_points;
+    }
+    cv::calcOpticalFlowPyrLK(m_before, grey, m_points, there, found, errors, window, kPyramidLevels, stop,
+                             flags);
+    cv::calcOpticalFlowPyrLK(grey, m_before, there, back, foundBack, errors, window, kPyramidLevels, stop,
+                             flags);
     double focal = 0.5 * grey.cols / std::tan(0.5 * m_options.horizontalViewDegrees * CV_PI / 180.0);
     cv::Point2d centre(0.5 * (grey.cols - 1), 0.5 * (grey.rows - 1));
     std::vector<PointFlow> flows;
@@ -130,7 +155,11 @@ std::vector<PointFlow> VisualMotion::follow(const cv::Mat& grey) const {
 }
 
 Motion VisualMotion::measure(const cv::Mat& grey, double seconds) {
-    std::vector<PointFlow> flows = follow(grey);
+    std::vector<PointFlow> flows = follow(grey, {});
+    // A quick turn moves everything farther than points are looked for: how far, the whole picture tells.
+    if (flows.size() * 2 < m_points.size()) {
+        if (auto shift = wholeShift(m_before, grey)) flows = follow(grey, *shift);
+    }
     // Most points lost: the view was covered or smeared; the few that are left fit anything.
     if (flows.size() * 2 < m_points.size()) return {};
     std::optional<FlowFit> fit = fitFlow(flows, m_options.flow);

@@ -47,7 +47,7 @@ private:
     };
 
     Motion measure(const cv::Mat& grey, double seconds);
-    std::vector<PointFlow> follow(const cv::Mat& grey) const;
+    std::vector<PointFlow> follow(const cv::Mat& grey, cv::Point2f guess) const;
     void remember(const cv::Mat& grey, double time);
     std::optional<double> stepRhythm() const;
 

@@ -8,7 +8,8 @@ namespace {
 
 /// As its calibration would find it.
 recognition::CameraModel knownCamera(const simulation::CameraOptions& camera, double focalPx) {
-    recognition::CameraModel model = recognition::CameraModel::assumed(camera.size, camera.horizontalFovDegrees);
+    recognition::CameraModel model =
+        recognition::CameraModel::assumed(camera.size, camera.horizontalFovDegrees);
     model.focalX = model.focalY = focalPx;
     model.distortion = {camera.distortionK1, camera.distortionK2, 0.0, 0.0, 0.0};
     model.focalSpread = 0.01;
@@ -33,8 +34,8 @@ Result<ClosedLoop::Eye> pictureEye(const simulation::World& world, const simulat
         Perception perception;
         PictureWatcher watcher;
     };
-    auto eyes = std::make_shared<Eyes>(Eyes{
-        std::move(made).value(), Perception(std::move(library), options, warnings), std::move(watcher)});
+    auto eyes = std::make_shared<Eyes>(
+        Eyes{std::move(made).value(), Perception(std::move(library), options, warnings), std::move(watcher)});
     ClosedLoop::Eye eye = [eyes](const simulation::CameraPose& pose, std::size_t,
                                  std::uint64_t index) -> Result<Percept> {
         auto picture = eyes->camera.render(pose);

@@ -227,9 +227,11 @@ void TruthDetections::tell(const Thing& thing, double range, Radians bearing, bo
     if (!wrong) detection.templateId = thing.templateId;
     if (detection.kind == Kind::Text) detection.text = invented ? thing.text : misread(thing.text);
     double spread = invented ? 0.0 : m_options.camera ? kCameraSpread : rangeSpread(thing.kind);
-    double measured = std::clamp(range * std::exp(spread * m_random.normal()), 0.45, m_options.camera ? 25.0 : 6.0);
+    double measured =
+        std::clamp(range * std::exp(spread * m_random.normal()), 0.45, m_options.camera ? 25.0 : 6.0);
     double half = m_options.viewDegrees / 2.0;
-    double degrees = toDegrees(bearing) + (invented ? 0.0 : (m_options.camera ? 1.5 : 3.0) * m_random.normal());
+    double degrees =
+        toDegrees(bearing) + (invented ? 0.0 : (m_options.camera ? 1.5 : 3.0) * m_random.normal());
     degrees = std::clamp(degrees, -half, half);
     bool sized = !m_options.camera || thing.kind == Kind::Door || !thing.templateId.empty();
     if (sized && !chance(m_options.noRange)) detection.rangeM = measured;
@@ -280,9 +282,8 @@ recognition::Motion TruthDetections::motion() {
     double seconds = m_pose.time - m_motionAt;
     if (seconds <= 0.0) return motion;
     Radians turn = wrapped(m_pose.heading - m_motionHeading);
-    double speed =
-        std::max(0.0, m_walkedM / seconds * m_scale * (1.0 + 0.12 * m_random.normal())) +
-        0.03 * std::abs(m_random.normal());
+    double speed = std::max(0.0, m_walkedM / seconds * m_scale * (1.0 + 0.12 * m_random.normal())) +
+                   0.03 * std::abs(m_random.normal());
     bool lost = chance(m_options.lostFlow);
     if (!lost) {
         motion.turn = turn + fromDegrees(1.5 * std::sqrt(seconds) * m_random.normal());

@@ -24,8 +24,9 @@ struct TruthDetectionOptions {
     double lostFlow = 0.05;                              ///< motion that cannot be told
     double viewDegrees = 60.0;
     double reachM = 4.2;
-    /// As this program's own recognisers see rendered pictures: trained things as far as their size allows, in
-    /// nearly each look, with a range good to a tenth; followed from look to look; hardly anything invented.
+    /// As this program's own recognisers see rendered pictures: trained things as far as their size allows,
+    /// in nearly each look, with a range good to a tenth; followed from look to look; hardly anything
+    /// invented.
     bool camera = false;
 
     static TruthDetectionOptions ofCamera();

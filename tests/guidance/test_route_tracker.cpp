@@ -311,6 +311,36 @@ TEST(RouteTracker, AnArrivalWantsConfidenceAndSomethingSeenSince) {
     EXPECT_EQ(walk.progress.travel, Travel::Arrived);
 }
 
+TEST(RouteTracker, WhoWaitsInARoomThatShowsNothingHasProbablyArrived) {
+    TrackerOptions honest;
+    honest.arrivalConfidence = 0.95;
+    honest.patientSeconds = 5.0 * Guided().secondsBetween;
+    Guided walk(test::corridorMap(), {}, honest);
+    walk.tracker.setDestination(at("D"));
+    walk.seen("A", 0, 0.95);
+    walk.seen("K", 0, 0.95);
+    for (int i = 0; i < 4; ++i) walk.seen("D", 0, 0.8);
+    EXPECT_EQ(walk.progress.travel, Travel::OnRoute) << "a moment only";
+    walk.seen("K", 0, 0.8);
+    for (int i = 0; i < 4; ++i) walk.seen("D", 0, 0.8);
+    EXPECT_EQ(walk.progress.travel, Travel::OnRoute) << "the time before does not count";
+    for (int i = 0; i < 4; ++i) walk.seen("D", 0, 0.8);
+    EXPECT_EQ(walk.progress.travel, Travel::Arrived);
+    EXPECT_TRUE(walk.progress.doubtful);
+}
+
+TEST(RouteTracker, AnUnknownStartIsNoArrivalByAGuess) {
+    TrackerOptions honest;
+    honest.arrivalConfidence = 0.95;
+    Guided walk(test::corridorMap(), {}, honest);
+    walk.tracker.setDestination(at("D"));
+    walk.seen("D", 0, 0.3);
+    EXPECT_EQ(walk.progress.travel, Travel::NoFix);
+    walk.seen("D", 0, 0.96);
+    walk.seen("D", 0, 0.96);
+    EXPECT_EQ(walk.progress.travel, Travel::Arrived);
+}
+
 TEST(TrackerOptions, ValuesOutOfRangeAreRefused) {
     EXPECT_TRUE(TrackerOptions{}.check().ok());
     EXPECT_FALSE((TrackerOptions{0, 0.6, 0.0}.check().ok()));

@@ -1,0 +1,151 @@
+// The filter for those who are guided: they go where they face, not from door to door, and the camera is the
+// program's own.
+
+#include "core/localisation/localisers.h"
+#include "tests/support/ascii_map.h"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace farol;
+using namespace farol::localisation;
+using namespace farol::test;
+
+/// Two rooms on either side of a corridor, a poster at its east end.
+std::shared_ptr<const building::Building> corridor() {
+    AsciiMap map;
+    map.floor(R"(
++-----------+-----------+
+|A          |B          |
+|           |           |
+|           |           |
++-----/-----+-----/-----+
+|K         z           p|
+|                       |
++-----/-----+-----/-----+
+|C          |D          |
+|           |           |
+|           |           |
++-----------+-----------+
+)");
+    map.region('K', {.kind = building::RegionKind::Corridor});
+    map.landmark('p', {.kind = Kind::Poster, .templateId = "sea", .headingDeg = 180.0});
+    map.landmark('z', {.kind = Kind::Text, .text = "FLOOR 0", .headingDeg = 270.0});
+    return map.build();
+}
+
+/// Five pictures a second.
+class Blind {
+public:
+    Blind(const std::shared_ptr<const building::Building>& building, const std::string& from)
+        : m_localiser(makeLocaliser("bayes-guided", building).value()) {
+        m_localiser->start(0.0, from.empty() ? std::nullopt : std::optional(RegionId(from)));
+        m_fix = m_localiser->update(0.0, {}, {});
+    }
+    Blind& walk(double metres) { return move(metres / kSpeed, 0.0, kSpeed); }
+    Blind& stand(double seconds) { return move(seconds, 0.0, 0.0); }
+    Blind& turn(double degrees) { return move(std::abs(degrees) / 75.0, degrees, 0.0); }
+    Blind& see(Kind kind, const std::string& templateId, const std::string& text, double rangeM,
+               double bearingDeg) {
+        Observation seen;
+        seen.time = m_time;
+        seen.track = ++m_track;
+        seen.detection.kind = kind;
+        seen.detection.templateId = TemplateId(templateId);
+        seen.detection.text = text;
+        seen.detection.image = {640, 480};
+        seen.detection.rangeM = rangeM;
+        seen.detection.rangeSpread = 0.1;
+        seen.detection.bearing = fromDegrees(bearingDeg);
+        m_fix = m_localiser->update(m_time, std::vector{seen}, {});
+        return *this;
+    }
+    std::string region() const { return m_fix.region ? m_fix.region->value : ""; }
+    const Fix& fix() const { return m_fix; }
+
+private:
+    static constexpr double kSpeed = 0.75, kFrameS = 0.2;
+
+    Blind& move(double seconds, double degrees, double speed) {
+        int frames = std::max(1, static_cast<int>(seconds / kFrameS + 0.5));
+        for (int i = 0; i < frames; ++i) {
+            m_time += kFrameS;
+            recognition::Motion motion;
+            motion.turn = fromDegrees(degrees / frames);
+            motion.speed = speed;
+            m_localiser->moved(m_time, motion);
+            m_fix = m_localiser->update(m_time, {}, {});
+        }
+        return *this;
+    }
+
+    std::unique_ptr<Localiser> m_localiser;
+    double m_time = 0.0;
+    std::uint64_t m_track = 0;
+    Fix m_fix;
+};
+
+/// Known to stand in the corridor facing east, 6 m before the doors of B and D.
+Blind beforeTheDoors() {
+    Blind person(corridor(), "K");
+    person.stand(1.0).see(Kind::Poster, "sea", "", 10.5, 3.0).walk(1.0);
+    person.see(Kind::Poster, "sea", "", 9.5, 3.0).walk(1.0);
+    return person;
+}
+
+TEST(GuidedWalk, ATurnThroughADoorIsFollowedIntoTheRoom) {
+    for (auto [degrees, room] : {std::pair{-90.0, "D"}, {90.0, "B"}}) {
+        Blind person = beforeTheDoors();
+        EXPECT_EQ(person.region(), "K");
+        person.walk(3.2).turn(degrees).walk(3.5);
+        EXPECT_EQ(person.region(), room);
+    }
+}
+
+TEST(GuidedWalk, WhoWalksOnStaysInTheCorridor) {
+    Blind person = beforeTheDoors();
+    person.walk(6.0);
+    EXPECT_EQ(person.region(), "K");
+    EXPECT_GT(person.fix().confidence, 0.7);
+}
+
+TEST(GuidedWalk, WhoStandsAndLooksRoundStaysWhereTheyAre) {
+    Blind person = beforeTheDoors();
+    person.turn(-90.0).turn(180.0).turn(-90.0).stand(10.0);
+    EXPECT_EQ(person.region(), "K");
+    ASSERT_TRUE(person.fix().heading);
+    EXPECT_LT(std::abs(toDegrees(*person.fix().heading)), 30.0) << "the turns were counted";
+}
+
+TEST(GuidedWalk, ATrainedThingIsKnownFromFarAway) {
+    Blind person(corridor(), "");
+    person.stand(2.0)
+        .see(Kind::Poster, "sea", "", 9.0, 0.0)
+        .stand(3.0)
+        .see(Kind::Poster, "sea", "", 9.0, 0.0);
+    EXPECT_EQ(person.region(), "K");
+    ASSERT_TRUE(person.fix().position);
+    Point2 poster = corridor()->landmarks().front().position;
+    for (const auto& landmark : corridor()->landmarks())
+        if (landmark.templateId.value == "sea") poster = landmark.position;
+    EXPECT_NEAR(distance(*person.fix().position, poster), 9.0, 1.5);
+}
+
+TEST(GuidedWalk, LettersThatLookAlikeAreReadForOneAnother) {
+    AsciiMap map;
+    map.floor(R"(
++-------+-------+-------+
+|A      :B      :C      |
+|   x   :   y   :   z   |
++-------+-------+-------+
+)");
+    map.landmark('x', {.kind = Kind::Text, .text = "FLOOR 0", .headingDeg = 270.0});
+    map.landmark('y', {.kind = Kind::Text, .text = "FLOOR 1", .headingDeg = 270.0});
+    map.landmark('z', {.kind = Kind::Text, .text = "FLOOR 2", .headingDeg = 270.0});
+    Blind person(map.build(), "");
+    for (int i = 0; i < 3; ++i) person.see(Kind::Text, "", "FLOOR O", 1.0, 0.0).stand(4.5);
+    EXPECT_EQ(person.region(), "A");
+}
+
+} // namespace

@@ -14,7 +14,6 @@ using recognition::Detection;
 
 namespace {
 
-constexpr float kSeenM = 4.6F;        // by the poor eyes no landmark is recognised from farther away
 constexpr float kHalfViewDeg = 30.0F; // of the camera
 constexpr float kSteepness = 1.7F;    // of a logistic curve, to be like a normal one of sigma 1
 constexpr float kRadToDeg = 57.29578F;
@@ -24,23 +23,6 @@ constexpr double kViewM2 = 7.0; // full views of a wall object, in square metres
 
 std::size_t indexOf(Kind kind) {
     return static_cast<std::size_t>(kind);
-}
-
-/// How much oftener than a door a kind is found when in view.
-double prominence(Kind kind) {
-    switch (kind) {
-    case Kind::ExitSign:
-        return 1.6;
-    case Kind::Stairs:
-        return 1.3;
-    case Kind::Rectangle:
-        return 0.7;
-    case Kind::Poster:
-    case Kind::Locker:
-        return 0.9;
-    default:
-        return 1.0;
-    }
 }
 
 /// Of all false detections, the share of each kind.
@@ -61,26 +43,6 @@ double falseShare(Kind kind) {
         return 0.04;
     default:
         return 0.02;
-    }
-}
-
-double rangeSigma(Kind kind) {
-    switch (kind) {
-    case Kind::Door:
-        return 0.15;
-    case Kind::Extinguisher:
-    case Kind::ExitSign:
-        return 0.18;
-    case Kind::Locker:
-        return 0.2;
-    case Kind::Text:
-        return 0.25;
-    case Kind::Stairs:
-        return 0.3;
-    case Kind::Poster:
-        return 0.35;
-    default:
-        return 0.4;
     }
 }
 
@@ -112,13 +74,6 @@ float wrapDeg(float a) {
 
 float normalDensity(float x, float variance) {
     return quickExp(-0.5F * x * x / variance) * 0.39894228F / std::sqrt(variance);
-}
-
-/// How well the poor eyes see an object from a distance.
-float poorlyVisibleAt(float range) {
-    if (range < 1.0F) return 0.3F + 0.7F * range;
-    if (range < 2.6F) return 1.0F;
-    return range < 4.2F ? std::max(0.03F, (4.2F - range) / 1.6F) : 0.03F;
 }
 
 /// Letters that are read for one another are the same here: "floor o" is "floor 0", and not "floor 1".
@@ -174,17 +129,8 @@ Result<void> SensorOptions::check() const {
                  "bayes.sensors"};
 }
 
-SensorOptions SensorOptions::ofCamera() {
-    SensorOptions options;
-    options.camera = true;
-    options.detectionsPerSecond = 0.5;
-    options.sameKind = 0.97;
-    options.bearingSigmaDeg = 3.0;
-    return options;
-}
-
 SensorModel::SensorModel(std::shared_ptr<const WalkingMap> map, const SensorOptions& options)
-    : m_map(std::move(map)), m_options(options), m_farthestM(kSeenM) {
+    : m_map(std::move(map)), m_options(options), m_farthestM(kPoorlySeenM) {
     addLandmarks();
     addViews();
 }
@@ -239,24 +185,6 @@ void SensorModel::addItem(Item item) {
         m_shareOfText[static_cast<std::size_t>(item.text)] += item.share;
     }
     m_items.push_back(item);
-}
-
-/// Trained things are found while they are a few dozen pixels wide, at fewer than those of the study only if
-/// they are small; what has no template as far as its detector goes.
-float SensorModel::reachOf(const Landmark& landmark) const {
-    constexpr double kUsualSizeM = 0.5, kNearestM = 3.0, kUntrainedM = 5.0;
-    if (!m_options.camera) return kSeenM;
-    if (landmark.templateId.empty()) return static_cast<float>(kUntrainedM);
-    double size = std::min(landmark.widthM.value_or(kUsualSizeM), landmark.tallM.value_or(kUsualSizeM));
-    return static_cast<float>(std::clamp(m_options.sizesAway * size, kNearestM, m_options.farthestM));
-}
-
-float SensorModel::visibleAt(const Item& item, float range) const {
-    constexpr float kLeast = 0.03F, kWellUpTo = 0.7F;
-    if (!m_options.camera) return poorlyVisibleAt(range);
-    if (range < 0.8F) return 0.3F + 0.7F * range / 0.8F;
-    if (range < kWellUpTo * item.reachM) return 1.0F;
-    return std::max(kLeast, (item.reachM - range) / ((1.0F - kWellUpTo) * item.reachM));
 }
 
 void SensorModel::addViews() {
@@ -327,7 +255,7 @@ bool SensorModel::geometryOf(const Item& item, const View& view, std::uint32_t r
     }
     geometry.range = std::sqrt(square);
     // Far things may stand round a corner.
-    if (view.opening < 0 && geometry.range > kSeenM && m_map->bent(region)) {
+    if (view.opening < 0 && geometry.range > kPoorlySeenM && m_map->bent(region)) {
         constexpr float kBeforeM = 0.3F;
         float part = 1.0F - kBeforeM / geometry.range;
         if (!m_map->straight(region, at, {at.x + part * geometry.dx, at.y + part * geometry.dy}))
@@ -412,12 +340,6 @@ float SensorModel::inPicture(float offDeg, float steepness) {
     return 1.0F / (1.0F + quickExp(steepness * (std::abs(offDeg) - kHalfViewDeg)));
 }
 
-double SensorModel::oftenerThanDoors(Kind kind, bool trained) const {
-    constexpr double kTrained = 3.0;
-    if (!m_options.camera) return prominence(kind);
-    return trained ? kTrained : 1.0;
-}
-
 float SensorModel::rateOf(const Item& item, const Geometry& geometry) const {
     double rate = m_options.detectionsPerSecond *
                   oftenerThanDoors(static_cast<Kind>(item.kind), item.templateIndex >= 0);
@@ -474,12 +396,6 @@ void SensorModel::readText(const Detection& detection, Look& look, double& false
         std::pow(kGuessedLetter, static_cast<double>(std::clamp<std::size_t>(text.size(), 2, 20)));
     double mapped = share > 0.0 ? sum / share : 0.0;
     falseFactor *= m_options.mappedFalseText * mapped + (1.0 - m_options.mappedFalseText) * guessed;
-}
-
-/// What was trained with its size measured tells its range well.
-double SensorModel::spreadOfRange(const Detection& detection) const {
-    double usual = rangeSigma(detection.kind), told = detection.rangeSpread.value_or(0.0);
-    return m_options.camera && told > 0.0 ? told : std::max(usual, told);
 }
 
 Look SensorModel::prepare(const Detection& detection) const {

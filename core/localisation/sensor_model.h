@@ -14,6 +14,8 @@
 
 namespace farol::localisation {
 
+/// By the poor eyes no landmark is recognised from farther away.
+inline constexpr float kPoorlySeenM = 4.6F;
 inline constexpr std::size_t kKindCount = static_cast<std::size_t>(Kind::Other) + 1;
 
 /// Probabilities and rates of the sensors, fitted on walks of buildings of our own (tests/bench/README.md).

@@ -36,7 +36,7 @@ struct WalkingOptions {
     double throughUnasked = 0.4; ///< how likely a door is taken that does not lead on, against one that does
     double alongWallM = 0.5;     ///< nobody walks into walls for longer
     double doorRate = 1.0, doorUnasked = 0.15;   ///< takes the door at hand, facing it
-    double climbRate = 0.7, climbUnasked = 0.03; ///< takes the stairs or the lift at hand
+    double climbRate = 0.3, climbUnasked = 0.03; ///< takes the stairs or the lift at hand
 
     Result<void> check() const;
     /// Of one who obeys what is told, and is not on a way that he knows.

@@ -21,7 +21,7 @@ constexpr float kLeastYawVariance = 36.0F;
 constexpr float kMostYawVariance = 900.0F;
 /// Doors, stairs and lifts are taken from so near.
 constexpr float kAtHandM = 1.3F;
-constexpr float kClimbFromM = 2.4F; // stairs are wide, and so is what is in front of a lift
+constexpr float kClimbFromM = 1.7F; // stairs are wide, and so is what is in front of a lift
 constexpr float kThroughDeg = 30.0F;
 
 Spot unit(float degrees) {

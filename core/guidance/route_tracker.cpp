@@ -14,6 +14,8 @@ using routing::Route;
 
 namespace {
 
+constexpr double kAlreadyThere = 0.5;
+
 /// The vertex of the path at which a manoeuvre takes place: the nearest of its level, not before `from`.
 std::size_t vertexOf(const Route& route, const Manoeuvre& manoeuvre, std::size_t from) {
     std::size_t best = std::min(from, route.path.size() - 1);
@@ -146,8 +148,8 @@ Progress RouteTracker::update(const Fix& fix) {
         follow(fix);
         if (m_progress.route) watch(fix);
     } else if (m_options.arrivalConfidence > 0.0 && fix.region == m_destination->region &&
-               fix.confidence < 1.0 && !believed(fix)) {
-        // "You are there already" has to be true as well.
+               fix.confidence < kAlreadyThere && !believed(fix)) {
+        // "You are there already" has to be true as well: no mere guess.
         m_progress.travel = Travel::NoFix;
     } else if (m_refusedFrom != fix.region) {
         plan(fix);

@@ -140,7 +140,6 @@ bool takeTask(const std::string& clause, WalkTask& task, std::optional<int>* hou
         task.feature = climbIn(text);
         task.vertical = verticalIn(text);
         takeWhere(text, task, hour);
-        task.side = Side::None;
         return task.feature != Feature::None;
     }
     std::string_view then;

@@ -97,14 +97,18 @@ private:
     bool m_warned = false;
 };
 
+simulation::TruthDetectionOptions drawnDetections(const SimulateOptions& options, std::uint64_t seed) {
+    simulation::TruthDetectionOptions detections;
+    if (options.eyes == "camera") detections = simulation::TruthDetectionOptions::ofCamera();
+    detections.seed = seed;
+    return detections;
+}
+
 Result<session::ClosedLoop::Eye> eyeOf(const SimulateOptions& options, std::optional<Studio>& studio,
                                        const std::shared_ptr<const simulation::WalkWorld>& world,
                                        const std::shared_ptr<SimulatedFrames>& frames) {
     if (!studio) {
-        simulation::TruthDetectionOptions detections;
-        if (options.eyes == "camera") detections = simulation::TruthDetectionOptions::ofCamera();
-        detections.seed = options.seed;
-        return session::truthEye(world, detections);
+        return session::truthEye(world, drawnDetections(options, options.seed));
     }
     session::PictureWatcher watcher;
     if (frames)
@@ -203,9 +207,7 @@ int walkMany(const SimulateOptions& options, const std::shared_ptr<const simulat
     if (studio) pairs.eye = [&](std::uint64_t seed) { return studio->eye(seed); };
     if (!studio && options.eyes == "camera")
         pairs.eye = [&](std::uint64_t seed) -> Result<session::ClosedLoop::Eye> {
-            simulation::TruthDetectionOptions detections = simulation::TruthDetectionOptions::ofCamera();
-            detections.seed = seed;
-            return session::truthEye(world, detections);
+            return session::truthEye(world, drawnDetections(options, seed));
         };
     auto figures = walkPairs(world, pairs);
     if (!figures) return report(figures.error());
@@ -238,6 +240,10 @@ int simulate(const SimulateOptions& options) {
              "without pictures there is nothing to write and nobody to see the way: --no-vision goes with "
              "--obey and without --out",
              "--no-vision"});
+    if (!options.noVision && options.eyes != "study")
+        return report({ErrorCode::InvalidArgument,
+                       "pictures are looked at by the program itself: --eyes goes with --no-vision",
+                       "--eyes"});
     if (options.walks > 0 && (!options.obey || !options.out.empty()))
         return report({ErrorCode::InvalidArgument, "many walks go with --obey and without --out", "--walks"});
     int exitCode = kDone;

@@ -133,6 +133,7 @@ Progress RouteTracker::update(const Fix& fix) {
     bool usable =
         fix.region && m_building->regionIndex(*fix.region) && fix.confidence >= m_options.minConfidence;
     if (!usable) {
+        m_thereSince.reset();
         // What is planned stays planned; where on it the user is, is not known now.
         if (m_progress.travel != Travel::Unreachable && m_progress.travel != Travel::Arrived) {
             m_progress.travel = Travel::NoFix;

@@ -410,7 +410,9 @@ Result<void> WalkingOptions::check() const {
     bool rates =
         stopRate >= 0.0 && goRate >= 0.0 && strayRate >= 0.0 && returnRate >= 0.0 && straightBack >= 0.0;
     bool sigmas = swaySigmaDeg > 0.0 && turnSigmaDeg >= 0.0 && unknownTurnSigmaDeg >= 0.0;
-    if (speeds && rates && sigmas) return {};
+    bool freely = bodySwayDeg >= 0.0 && swaySeconds > 0.0 && throughUnasked >= 0.0 && alongWallM > 0.0 &&
+                  doorRate >= 0.0 && doorUnasked >= 0.0 && climbRate >= 0.0 && climbUnasked >= 0.0;
+    if (speeds && rates && sigmas && freely) return {};
     return Error{ErrorCode::InvalidArgument, "rates are not negative, speeds and deviations are above 0",
                  "bayes.walking"};
 }
@@ -420,7 +422,9 @@ Result<void> BayesOptions::check() const {
     if (auto checked = walking.check(); !checked) return checked;
     bool shares = startTrust > 0.0 && startTrust < 1.0 && resetShare >= 0.0 && resetShare < 1.0 &&
                   climbSees >= 0.0 && climbSees <= 1.0 && evenness >= 0.0 && evenness <= 1.0;
-    if (shares && trust >= 0.0 && trustRepeated >= 0.0 && lostRate >= 0.0 && blindLostRate >= 0.0) return {};
+    if (shares && trust >= 0.0 && trustRepeated >= 0.0 && trackSeconds >= 0.0 && lostRate >= 0.0 &&
+        blindLostRate >= 0.0)
+        return {};
     return Error{ErrorCode::InvalidArgument, "shares are between 0 and 1, rates and exponents not negative",
                  "bayes"};
 }

@@ -68,8 +68,8 @@ SensorOptions SensorOptions::ofCamera() {
     return options;
 }
 
-/// Trained things are found while they are a few dozen pixels wide, at fewer than those of the study only if
-/// they are small; what has no template as far as its detector goes.
+/// Trained things are found while they are a few dozen pixels wide; what has no template as far as its
+/// detector goes.
 float SensorModel::reachOf(const Landmark& landmark) const {
     constexpr double kUsualSizeM = 0.5, kNearestM = 3.0, kUntrainedM = 5.0;
     if (!m_options.camera) return kPoorlySeenM;

@@ -123,7 +123,8 @@ Result<void> SensorOptions::check() const {
                   placeSigmaDeg > 0.0;
     bool shares = sameKind > 0.0 && sameKind <= 1.0 && mappedFalseText >= 0.0 && mappedFalseText < 1.0 &&
                   otherTemplate >= 0.0 && otherTemplate <= 1.0 && unsurveyedTwin >= 0.0 &&
-                  unsurveyedTwin <= 1.0 && lookAlikeFalse >= 0.0;
+                  unsurveyedTwin <= 1.0 && lookAlikeFalse >= 0.0 && farthestM > 0.0 && sizesAway > 0.0 &&
+                  missShare >= 0.0 && missShare <= 1.0;
     if (rates && sigmas && shares) return {};
     return Error{ErrorCode::InvalidArgument, "rates and deviations are above 0, shares from 0 to 1",
                  "bayes.sensors"};
@@ -163,6 +164,7 @@ void SensorModel::addLandmarks() {
             item.text = texts.try_emplace(text, static_cast<std::int32_t>(texts.size())).first->second;
             if (static_cast<std::size_t>(item.text) == m_texts.size()) {
                 m_texts.push_back(text);
+                m_shapes.push_back(shapeOf(text));
                 m_itemsOfText.emplace_back();
                 m_shareOfText.push_back(0.0F);
             }
@@ -383,11 +385,11 @@ void SensorModel::readText(const Detection& detection, Look& look, double& false
     for (std::size_t t = 0; t < m_texts.size(); ++t) {
         int edits = shortEditDistance(text, m_texts[t]);
         double letters = kLetters * static_cast<double>(std::max<std::size_t>(1, m_texts[t].size()));
-        double factor = edits == 0                     ? m_options.textRead
-                        : shape == shapeOf(m_texts[t]) ? kLooksAlike
-                        : edits == 1                   ? 6.0 * m_options.textOneOff / letters
-                        : edits == 2                   ? 12.0 * m_options.textTwoOff / (letters * letters)
-                                                       : 0.0;
+        double factor = edits == 0             ? m_options.textRead
+                        : shape == m_shapes[t] ? kLooksAlike
+                        : edits == 1           ? 6.0 * m_options.textOneOff / letters
+                        : edits == 2           ? 12.0 * m_options.textTwoOff / (letters * letters)
+                                               : 0.0;
         look.textFactor[t] = static_cast<float>(factor);
         sum += factor * double(m_shareOfText[t]);
         share += double(m_shareOfText[t]);

@@ -38,9 +38,9 @@ struct SensorOptions {
     /// against the place itself.
     double unsurveyedTwin = 0.9;
     double lookAlikeFalse = 10.0; ///< how much oftener a place is told wrongly where another fits as well
-    double farthestM = 20.0;     ///< of what a camera recognises
-    double sizesAway = 22.0;     ///< a trained thing is recognised from so many of its own sizes away
-    double missShare = 0.25;     ///< of what a camera should have seen: misses of one thing go together
+    double farthestM = 20.0;      ///< of what a camera recognises
+    double sizesAway = 22.0;      ///< a trained thing is recognised from so many of its own sizes away
+    double missShare = 0.25;      ///< of what a camera should have seen: misses of one thing go together
 
     /// Eyes of this program's own recognisers, fitted on rendered pictures.
     static SensorOptions ofCamera();
@@ -115,8 +115,8 @@ private:
         std::uint32_t region = 0;
         std::int32_t text = -1, templateIndex = -1;
         std::uint8_t kind = 0;
-        bool twin = false;  ///< no place, but what one on another floor may be mistaken for
-        float share = 0.0F; ///< of all walking from where it is in view
+        bool twin = false;   ///< no place, but what one on another floor may be mistaken for
+        float share = 0.0F;  ///< of all walking from where it is in view
         float reachM = 0.0F; ///< recognised from no farther away
     };
     struct View { ///< a landmark as seen from a region
@@ -165,7 +165,7 @@ private:
     std::vector<std::uint32_t> m_firstView;
     std::vector<char> m_alongY; ///< of each region: sorted by y, else by x
     std::vector<Gap> m_gaps;
-    std::vector<std::string> m_texts;
+    std::vector<std::string> m_texts, m_shapes; ///< distinct; and with look-alike letters as one
     std::vector<std::vector<std::uint32_t>> m_itemsOfText;
     std::vector<float> m_shareOfText;
     std::map<std::string, std::int32_t> m_templates;

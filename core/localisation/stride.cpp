@@ -73,7 +73,7 @@ bool WalkerCloud::passThrough(Walker& walker, Spot way, float& metres) {
 }
 
 /// Along the wall that is met: with as little of a turn as leads on.
-bool WalkerCloud::slide(Walker& walker, Spot way, float metres) {
+void WalkerCloud::slide(Walker& walker, Spot way, float metres) {
     constexpr std::array<float, 4> kTurns{25.0F, 45.0F, 65.0F, 85.0F};
     float sign = m_random.uniform() < 0.5F ? 1.0F : -1.0F;
     for (float turn : kTurns) {
@@ -85,11 +85,10 @@ bool WalkerCloud::slide(Walker& walker, Spot way, float metres) {
             if (!m_map->inside(walker.region, next)) continue;
             walker.at = next;
             walker.weight *= std::exp(-(metres - gone) / static_cast<float>(m_options.walking.alongWallM));
-            return true;
+            return;
         }
     }
     walker.weight *= std::exp(-metres / static_cast<float>(m_options.walking.alongWallM));
-    return false;
 }
 
 void WalkerCloud::roam(Walker& walker, float metres) {

@@ -90,7 +90,7 @@ private:
     void stride(Walker& walker, const MotionSpan& motion, bool moving, float metres);
     void roam(Walker& walker, float metres);
     bool passThrough(Walker& walker, Spot way, float& metres);
-    bool slide(Walker& walker, Spot way, float metres);
+    void slide(Walker& walker, Spot way, float metres);
     void mayTake(Walker& walker, bool moving, float seconds);
     void renew(std::size_t first, std::size_t last, std::size_t capacity);
 

@@ -329,6 +329,20 @@ TEST(RouteTracker, WhoWaitsInARoomThatShowsNothingHasProbablyArrived) {
     EXPECT_TRUE(walk.progress.doubtful);
 }
 
+TEST(RouteTracker, AnHourWithoutAFixIsNoWaitingInTheDestination) {
+    TrackerOptions honest;
+    honest.arrivalConfidence = 0.95;
+    honest.patientSeconds = 5.0 * Guided().secondsBetween;
+    Guided walk(test::corridorMap(), {}, honest);
+    walk.tracker.setDestination(at("D"));
+    walk.seen("A", 0, 0.95);
+    walk.seen("K", 0, 0.95);
+    walk.seen("D", 0, 0.8);
+    for (int i = 0; i < 10; ++i) walk.seen("");
+    walk.seen("D", 0, 0.8);
+    EXPECT_NE(walk.progress.travel, Travel::Arrived);
+}
+
 TEST(RouteTracker, AnUnknownStartIsNoArrivalByAGuess) {
     TrackerOptions honest;
     honest.arrivalConfidence = 0.95;

@@ -478,6 +478,11 @@ TEST(BayesOptions, WhatIsOutOfRangeIsRefused) {
     EXPECT_FALSE(climbs.check().ok());
     EXPECT_FALSE(even.check().ok());
     EXPECT_FALSE(back.check().ok());
+    BayesOptions wall, track, reach;
+    wall.walking.alongWallM = 0.0;
+    track.trackSeconds = -1.0;
+    reach.sensors.farthestM = 0.0;
+    for (const BayesOptions& each : {wall, track, reach}) EXPECT_FALSE(each.check().ok());
 }
 
 } // namespace

@@ -21,6 +21,7 @@ public:
     TeachTry(TeachSession& session, PictureReel& reel, QWidget* parent = nullptr);
 
     void setShown(bool shown); ///< pictures are looked at only while the step is shown
+    QPushButton& recordingButton() { return *m_recording; }
     QString verdict() const;
 
 protected:

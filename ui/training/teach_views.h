@@ -24,6 +24,7 @@ public:
     void show();               ///< what the session holds
     void setShown(bool shown); ///< pictures are judged only while they are looked at
     OutlineView& outline() { return *m_outline; }
+    QPushButton& filesButton() { return *m_files; }
     QPushButton& addButton() { return *m_add; }
     QPushButton& removeButton() { return *m_remove; }
     QListWidget& views() { return *m_views; }

@@ -13,9 +13,11 @@
 #include <QStyle>
 #include <QStyleOptionComboBox>
 #include <QTabBar>
+#include <QTableView>
 #include <QTextDocument>
 #include <QToolBar>
 #include <QToolButton>
+#include <QTreeView>
 
 #include <algorithm>
 
@@ -54,6 +56,8 @@ private:
         if (const auto* button = qobject_cast<const QAbstractButton*>(&widget)) lookAtButton(*button);
         if (const auto* bar = qobject_cast<const QTabBar*>(&widget)) lookAtTabs(*bar);
         if (const auto* header = qobject_cast<const QHeaderView*>(&widget)) lookAtHeader(*header);
+        if (const auto* table = qobject_cast<const QTableView*>(&widget)) lookAtCells(*table);
+        if (const auto* tree = qobject_cast<const QTreeView*>(&widget)) lookAtTree(*tree);
         if (const auto* box = qobject_cast<const QComboBox*>(&widget)) lookAtChoice(*box);
         if (const auto* edit = qobject_cast<const QLineEdit*>(&widget)) lookAtHint(*edit);
         if (const auto* box = qobject_cast<const QGroupBox*>(&widget))
@@ -112,6 +116,49 @@ private:
             compare(header, text, {QFontMetrics(font).horizontalAdvance(text) + 2 * margin, 0},
                     {header.sectionSize(section), header.height()});
         }
+    }
+
+    void lookAtCells(const QTableView& table) {
+        if (!table.model()) return;
+        const QRect room = table.viewport()->rect();
+        for (int row = table.rowAt(0); row >= 0 && row < table.model()->rowCount(); ++row) {
+            for (int column = 0; column < table.model()->columnCount(); ++column) {
+                const QModelIndex cell = table.model()->index(row, column);
+                const QRect place = table.visualRect(cell);
+                if (place.top() >= room.bottom()) return;
+                if (place.isEmpty()) continue;
+                lookAtCell(table, cell, place, *table.horizontalHeader());
+            }
+        }
+    }
+
+    void lookAtTree(const QTreeView& tree) {
+        for (QModelIndex row = tree.indexAt({1, 1}); row.isValid(); row = tree.indexBelow(row))
+            for (int column = 0; column < tree.model()->columnCount(row.parent()); ++column) {
+                const QModelIndex cell = row.siblingAtColumn(column);
+                const QRect place = tree.visualRect(cell);
+                if (place.top() >= tree.viewport()->height()) return;
+                if (!place.isEmpty()) lookAtCell(tree, cell, place, *tree.header());
+            }
+    }
+
+    /// A table whose columns the user sets scrolls to what does not fit; the others must have room for all.
+    void lookAtCell(const QAbstractItemView& view, const QModelIndex& cell, const QRect& place,
+                    const QHeaderView& columns) {
+        const QString text = cell.data().toString();
+        QSize needs = view.sizeHintForIndex(cell);
+        const auto* table = qobject_cast<const QTableView*>(&view);
+        if (table && table->wordWrap() && needs.width() > place.width()) {
+            const int margin =
+                2 * (view.style()->pixelMetric(QStyle::PM_FocusFrameHMargin, nullptr, &view) + 1);
+            needs = view.fontMetrics()
+                        .boundingRect(QRect(0, 0, place.width() - margin, 10000), Qt::TextWordWrap, text)
+                        .size();
+        }
+        compare(view, text, needs, place.size());
+        if (columns.sectionResizeMode(cell.column()) != QHeaderView::Interactive &&
+            place.right() >= view.viewport()->width())
+            note(view, text + QStringLiteral(" (beyond the edge)"), place.size(), view.viewport()->size());
     }
 
     /// All that can be chosen, not only what is.

@@ -97,7 +97,7 @@ void MapPage::build() {
     m_halves->addWidget(m_plan);
     m_halves->addWidget(m_tabs);
     m_halves->setStretchFactor(0, 1);
-    m_halves->setStretchFactor(1, 0);
+    m_halves->setStretchFactor(1, 1);
     m_halves->setChildrenCollapsible(false);
     m_halves->setHandleWidth(8);
     auto* content = new QVBoxLayout;

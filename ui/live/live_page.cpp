@@ -109,6 +109,7 @@ QWidget* LivePage::makeTables() {
     m_tabs->addTab(m_historyTable, QString());
     m_tabs->addTab(m_pictureTable, QString());
     m_tabs->addTab(m_floorTable, QString());
+    for (QTableView* table : {m_said, m_voteTable, m_detailTable}) wrapRows(table);
     m_lists->addWidget(titled(m_saidTitle, m_said, m_lists));
     m_lists->addWidget(titled(m_voteTitle, m_voteTable, m_lists));
     m_lists->addWidget(m_tabs);
@@ -186,10 +187,11 @@ void LivePage::connectViews() {
         if (row.sort == FloorModel::Sort::Region)
             m_walk.setDestination(m_walk.building()->regions()[row.index].id);
     });
-    connect(&m_utterances, &QAbstractItemModel::rowsInserted, m_said, [this] {
-        const QScrollBar* bar = m_said->verticalScrollBar();
-        if (bar->value() >= bar->maximum() - 4) // unless the reader looks further up
-            QMetaObject::invokeMethod(m_said, &QTableView::scrollToBottom, Qt::QueuedConnection);
+    QScrollBar* said = m_said->verticalScrollBar(); // follows the newest, unless the reader looks further up
+    connect(said, &QScrollBar::valueChanged, this,
+            [this, said](int value) { m_saidAtEnd = value >= said->maximum() - 4; });
+    connect(said, &QScrollBar::rangeChanged, this, [this, said](int /*least*/, int most) {
+        if (m_saidAtEnd) said->setValue(most);
     });
     const auto display = [this] {
         m_frame->view().setShowGrid(m_settings.showGrid());

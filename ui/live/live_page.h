@@ -100,6 +100,7 @@ private:
     QLabel* m_saidTitle;
     QLabel* m_voteTitle;
     QTableView* m_said;
+    bool m_saidAtEnd = true; ///< it shows the newest sentence
     QTableView* m_voteTable;
     QTabWidget* m_tabs;
     QTableView* m_historyTable;

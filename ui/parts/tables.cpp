@@ -6,7 +6,9 @@
 
 #include <QHeaderView>
 #include <QPainter>
+#include <QScrollBar>
 #include <QTableView>
+#include <QTimer>
 
 namespace farol::ui {
 
@@ -57,6 +59,30 @@ QTableView* panelTable(QAbstractItemModel* model, int stretched, QWidget* parent
     header->setSectionResizeMode(stretched, QHeaderView::Stretch);
     table->setMinimumSize(180, 90);
     return table;
+}
+
+void wrapRows(QTableView* table) {
+    table->setWordWrap(true);
+    auto* later = new QTimer(table); // once for all that changes at a time
+    later->setSingleShot(true);
+    later->setInterval(0);
+    QObject::connect(later, &QTimer::timeout, table, [table] {
+        const int height = table->viewport()->height();
+        int row = table->rowAt(0);
+        for (; row >= 0 && row < table->model()->rowCount() && table->rowViewportPosition(row) < height;
+             ++row)
+            table->resizeRowToContents(row);
+    });
+    const auto measure = [later] { later->start(); };
+    const QAbstractItemModel* model = table->model();
+    QObject::connect(model, &QAbstractItemModel::dataChanged, later, measure);
+    QObject::connect(model, &QAbstractItemModel::rowsInserted, later, measure);
+    QObject::connect(model, &QAbstractItemModel::rowsRemoved, later, measure);
+    QObject::connect(model, &QAbstractItemModel::modelReset, later, measure);
+    QObject::connect(table->horizontalHeader(), &QHeaderView::sectionResized, later, measure);
+    QObject::connect(table->horizontalHeader(), &QHeaderView::geometriesChanged, later, measure);
+    QObject::connect(table->verticalScrollBar(), &QScrollBar::valueChanged, later, measure);
+    QObject::connect(table->verticalScrollBar(), &QScrollBar::rangeChanged, later, measure);
 }
 
 void ShareBarDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,

@@ -27,6 +27,10 @@ QLabel* panelTitle(QWidget* parent);
 /// takes what room is left.
 QTableView* panelTable(QAbstractItemModel* model, int stretched, QWidget* parent);
 
+/// Lets long texts of the table take more lines. Only the rows that are seen are measured: there may be
+/// thousands, and they may change with each picture.
+void wrapRows(QTableView* table);
+
 /// A bar behind the figure, as long as the share of the best vote.
 class ShareBarDelegate : public QStyledItemDelegate {
     Q_OBJECT

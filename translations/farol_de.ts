@@ -1159,6 +1159,34 @@ Open a camera, a video or a folder of pictures, then press Play.</source>
         <source>The destination cannot be kept for a restart: the folder cannot be written.</source>
         <translation>Das Ziel kann nicht für einen Neustart aufgehoben werden: In den Ordner kann nicht geschrieben werden.</translation>
     </message>
+    <message>
+        <source>The chosen voice does not work. This is another one.</source>
+        <translation>Die gewählte Stimme geht nicht. Dies ist eine andere.</translation>
+    </message>
+    <message>
+        <source>The map has been changed. The new one is used after this way.</source>
+        <translation>Die Karte wurde geändert. Die neue gilt nach diesem Weg.</translation>
+    </message>
+    <message>
+        <source>The file of the map is gone. I keep the map that I have.</source>
+        <translation>Die Datei der Karte ist weg. Ich behalte die Karte, die ich habe.</translation>
+    </message>
+    <message>
+        <source>The new map cannot be opened. I keep the old one.</source>
+        <translation>Die neue Karte lässt sich nicht öffnen. Ich behalte die alte.</translation>
+    </message>
+    <message>
+        <source>Another Farol kiosk of this user is running.</source>
+        <translation>Ein anderes Farol dieses Benutzers läuft schon.</translation>
+    </message>
+    <message>
+        <source>Farol is already running here. I close this one. Goodbye.</source>
+        <translation>Farol läuft hier schon. Ich schließe dieses. Auf Wiedersehen.</translation>
+    </message>
+    <message>
+        <source>The map has been changed, and I use the new one.</source>
+        <translation>Die Karte wurde geändert, und ich verwende die neue.</translation>
+    </message>
 </context>
 <context>
     <name>farol::ui::KioskMachine</name>

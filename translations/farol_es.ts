@@ -1159,6 +1159,34 @@ Abra una cámara, un vídeo o una carpeta de imágenes y pulse Reproducir.</tran
         <source>The destination cannot be kept for a restart: the folder cannot be written.</source>
         <translation>El destino no se puede guardar para un reinicio: no se puede escribir en la carpeta.</translation>
     </message>
+    <message>
+        <source>The chosen voice does not work. This is another one.</source>
+        <translation>La voz elegida no funciona. Esta es otra.</translation>
+    </message>
+    <message>
+        <source>The map has been changed. The new one is used after this way.</source>
+        <translation>El mapa ha cambiado. El nuevo se usa después de este camino.</translation>
+    </message>
+    <message>
+        <source>The file of the map is gone. I keep the map that I have.</source>
+        <translation>El archivo del mapa ha desaparecido. Conservo el mapa que tengo.</translation>
+    </message>
+    <message>
+        <source>The new map cannot be opened. I keep the old one.</source>
+        <translation>El mapa nuevo no se puede abrir. Me quedo con el anterior.</translation>
+    </message>
+    <message>
+        <source>Another Farol kiosk of this user is running.</source>
+        <translation>Ya está en marcha otro Farol de este usuario.</translation>
+    </message>
+    <message>
+        <source>Farol is already running here. I close this one. Goodbye.</source>
+        <translation>Farol ya está en marcha aquí. Cierro este. Hasta luego.</translation>
+    </message>
+    <message>
+        <source>The map has been changed, and I use the new one.</source>
+        <translation>El mapa ha cambiado, y uso el nuevo.</translation>
+    </message>
 </context>
 <context>
     <name>farol::ui::KioskMachine</name>

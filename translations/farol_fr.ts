@@ -1159,6 +1159,34 @@ Ouvrez une caméra, une vidéo ou un dossier d&apos;images, puis appuyez sur Lec
         <source>The destination cannot be kept for a restart: the folder cannot be written.</source>
         <translation>La destination ne peut pas être gardée pour un redémarrage : le dossier n&apos;est pas accessible en écriture.</translation>
     </message>
+    <message>
+        <source>The chosen voice does not work. This is another one.</source>
+        <translation>La voix choisie ne fonctionne pas. En voici une autre.</translation>
+    </message>
+    <message>
+        <source>The map has been changed. The new one is used after this way.</source>
+        <translation>Le plan a été modifié. Le nouveau sert après ce trajet.</translation>
+    </message>
+    <message>
+        <source>The file of the map is gone. I keep the map that I have.</source>
+        <translation>Le fichier du plan a disparu. Je garde le plan que j’ai.</translation>
+    </message>
+    <message>
+        <source>The new map cannot be opened. I keep the old one.</source>
+        <translation>Le nouveau plan ne peut pas être ouvert. Je garde l&apos;ancien.</translation>
+    </message>
+    <message>
+        <source>Another Farol kiosk of this user is running.</source>
+        <translation>Un autre Farol de cet utilisateur est en marche.</translation>
+    </message>
+    <message>
+        <source>Farol is already running here. I close this one. Goodbye.</source>
+        <translation>Farol est déjà en marche ici. Je ferme celui-ci. Au revoir.</translation>
+    </message>
+    <message>
+        <source>The map has been changed, and I use the new one.</source>
+        <translation>Le plan a été modifié, et j’utilise le nouveau.</translation>
+    </message>
 </context>
 <context>
     <name>farol::ui::KioskMachine</name>

@@ -1159,6 +1159,34 @@ Abra uma câmara, um vídeo ou uma pasta de imagens e depois prima Reproduzir.</
         <source>The destination cannot be kept for a restart: the folder cannot be written.</source>
         <translation>O destino não pode ser guardado para um reinício: não é possível escrever na pasta.</translation>
     </message>
+    <message>
+        <source>The chosen voice does not work. This is another one.</source>
+        <translation>A voz escolhida não funciona. Esta é outra.</translation>
+    </message>
+    <message>
+        <source>The map has been changed. The new one is used after this way.</source>
+        <translation>O mapa foi alterado. O novo é usado depois deste percurso.</translation>
+    </message>
+    <message>
+        <source>The file of the map is gone. I keep the map that I have.</source>
+        <translation>O ficheiro do mapa desapareceu. Mantenho o mapa que tenho.</translation>
+    </message>
+    <message>
+        <source>The new map cannot be opened. I keep the old one.</source>
+        <translation>O novo mapa não pode ser aberto. Fico com o anterior.</translation>
+    </message>
+    <message>
+        <source>Another Farol kiosk of this user is running.</source>
+        <translation>Já está a funcionar outro Farol deste utilizador.</translation>
+    </message>
+    <message>
+        <source>Farol is already running here. I close this one. Goodbye.</source>
+        <translation>O Farol já está a funcionar aqui. Fecho este. Até à próxima.</translation>
+    </message>
+    <message>
+        <source>The map has been changed, and I use the new one.</source>
+        <translation>O mapa foi alterado, e uso o novo.</translation>
+    </message>
 </context>
 <context>
     <name>farol::ui::KioskMachine</name>

@@ -15,6 +15,9 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <csignal>
+#include <sys/resource.h>
+
 namespace farol::ui {
 
 namespace {
@@ -53,6 +56,15 @@ private Q_SLOTS:
     void everyKeyOfThePageSpeaks_data();
     void everyKeyOfThePageSpeaks();
     void whatIsSaidIsWrittenDown();
+    void picturesDeletedWhileRunningAreTold();
+    void anotherVoiceTakesOver();
+    void withoutAnyVoiceItIsShown();
+    void aChangedMapIsUsedWhenNobodyIsLed();
+    void aMapThatIsGoneIsKept();
+    void aFolderThatCannotBeWrittenIsTold();
+    void aFullDiskIsTold();
+    void twoKiosksOfOneUser();
+    void closingWhileLed();
     void theSimulatedUserStandsThere();
     void thePageHasNamesAndLargeLetters();
 
@@ -61,6 +73,7 @@ private:
     void start();
     void key(int key, const QString& text = {});
     void bring(KioskState state);
+    void choose(int index);
     bool heard(const char* part) const;
 
     QTemporaryDir m_folder;
@@ -70,9 +83,11 @@ private:
     std::unique_ptr<KioskPage> m_page;
     QStringList m_log;
     int m_warnings = 0;
+    std::function<bool(const VoiceChoice&)> m_works; ///< which voices do; none: all
 };
 
 void KioskTest::initTestCase() {
+    std::signal(SIGXFSZ, SIG_IGN); // a write beyond the limit then fails as on a full disk
     QVERIFY(building::saveBuilding(*test::handMadeBuilding(),
                                    toUtf8(m_folder.filePath(QStringLiteral("house.gpkg"))))
                 .ok());
@@ -90,6 +105,7 @@ void KioskTest::init() {
     m_start.memoryFile = m_folder.filePath(QStringLiteral("state.json"));
     QFile::remove(m_start.memoryFile);
     m_warnings = 0;
+    m_works = {};
 }
 
 void KioskTest::cleanup() {
@@ -105,12 +121,16 @@ void KioskTest::make(std::uint64_t frames, const QString& from) {
     m_start.from = from;
     const auto open =
         [frames](const std::string& name,
-                 const capture::SourceOptions&) -> Result<std::unique_ptr<capture::FrameSource>> {
+                 const capture::SourceOptions& options) -> Result<std::unique_ptr<capture::FrameSource>> {
+        if (name.front() == '/') return capture::openSource(name, options);
         if (name == "broken") return Error{ErrorCode::Unavailable, "there is no such camera", name};
         return std::unique_ptr<capture::FrameSource>(std::make_unique<test::FakeSource>(frames, 0.05));
     };
     m_kiosk = std::make_unique<Kiosk>(
-        *m_settings, m_start, open, [](const VoiceChoice&) { return std::make_unique<test::FakeVoice>(); },
+        *m_settings, m_start, open,
+        [this](const VoiceChoice& choice) {
+            return std::make_unique<test::FakeVoice>(!m_works || m_works(choice));
+        },
         std::make_unique<CountedChimes>(m_warnings));
     connect(m_kiosk.get(), &Kiosk::spoken, this, [this](const QString& text) { m_log << text; });
     m_page = std::make_unique<KioskPage>(*m_kiosk);
@@ -371,6 +391,156 @@ void KioskTest::whatIsSaidIsWrittenDown() {
     m_start.utteranceFile = m_folder.filePath(QStringLiteral("none/said.jsonl"));
     make(); // it goes on without
     QVERIFY(m_kiosk->detail().contains(QLatin1String("said.jsonl")));
+    QTRY_VERIFY_WITH_TIMEOUT(heard("Choose a destination"), 60000);
+}
+
+void KioskTest::choose(int index) {
+    key(Qt::Key_Home);
+    for (int i = 0; i < index; ++i) key(Qt::Key_Down);
+    key(Qt::Key_Return);
+    QTRY_VERIFY(m_kiosk->machine().destination());
+}
+
+void KioskTest::picturesDeletedWhileRunningAreTold() {
+    const QDir folder(m_folder.filePath(QStringLiteral("pictures")));
+    QVERIFY(folder.mkpath(QStringLiteral(".")));
+    QImage grey(64, 48, QImage::Format_RGB32);
+    grey.fill(Qt::gray);
+    for (int i = 0; i < 60; ++i)
+        QVERIFY(grey.save(folder.filePath(QStringLiteral("%1.png").arg(i, 3, 10, QLatin1Char('0')))));
+    m_start.source = folder.absolutePath();
+    m_start.framesPerSecond = 20.0;
+    start();
+    QVERIFY(QDir(folder).removeRecursively());
+    QTRY_VERIFY_WITH_TIMEOUT(heard("The camera gives no pictures"), 60000);
+    QVERIFY(!m_kiosk->machine().title().isEmpty());
+    key(Qt::Key_Down); // and the keys still speak
+    QTRY_VERIFY(heard("1 of 6"));
+    key(Qt::Key_Return);
+    key(Qt::Key_Return);
+    QTRY_VERIFY_WITH_TIMEOUT(!m_kiosk->detail().isEmpty(), 60000); // the folder that is not there
+}
+
+void KioskTest::anotherVoiceTakesOver() {
+    VoiceChoice voice = m_settings->voice();
+    voice.engine = QStringLiteral("hoarse");
+    m_settings->setVoice(voice);
+    m_works = [](const VoiceChoice& choice) { return choice.engine.isEmpty(); };
+    make();
+    QTRY_VERIFY_WITH_TIMEOUT(heard("The chosen voice does not work. This is another one."), 60000);
+    QVERIFY(m_warnings > 0);
+    QTRY_COMPARE(m_kiosk->machine().state(), KioskState::Choosing);
+    m_log.clear();
+    key(Qt::Key_Down);
+    QTRY_VERIFY(heard("1 of 6"));
+    QCOMPARE(m_settings->voice().engine, QStringLiteral("hoarse")); // the choice is the user's
+}
+
+void KioskTest::withoutAnyVoiceItIsShown() {
+    m_works = [](const VoiceChoice&) { return false; };
+    make();
+    QTRY_VERIFY_WITH_TIMEOUT(heard("Choose a destination"), 60000);
+    QTRY_COMPARE(m_kiosk->detail(), QStringLiteral("the fake voice is hoarse"));
+    QVERIFY(m_warnings > 0);
+    m_works = {};
+    key(Qt::Key_Plus); // a new voice, that works
+    key(Qt::Key_Down);
+    QTRY_VERIFY(heard("1 of 6"));
+    QTRY_VERIFY(m_kiosk->detail().isEmpty());
+}
+
+void KioskTest::aChangedMapIsUsedWhenNobodyIsLed() {
+    const QString house = m_folder.filePath(QStringLiteral("house.gpkg"));
+    m_start.map = m_folder.filePath(QStringLiteral("changing.gpkg"));
+    QFile::remove(m_start.map);
+    QVERIFY(QFile::copy(house, m_start.map));
+    start();
+    choose(3);
+    const auto before = m_kiosk->walk().building();
+    building::BuildingData data = before->data();
+    for (building::Region& region : data.regions)
+        if (region.id == RegionId("r2")) region.name = "Kitchen";
+    QVERIFY(building::saveBuilding(building::Building(data), toUtf8(m_start.map)).ok());
+    QTRY_VERIFY_WITH_TIMEOUT(m_kiosk->detail().contains(QLatin1String("after this way")), 60000);
+    QCOMPARE(m_kiosk->walk().building(), before); // who is led is led by the old one
+    QVERIFY(m_kiosk->machine().destination());
+    m_log.clear();
+    key(Qt::Key_Escape);
+    QTRY_VERIFY_WITH_TIMEOUT(heard("The map has been changed, and I use the new one."), 60000);
+    QVERIFY(m_kiosk->walk().building()->region(RegionId("r2"))->name == "Kitchen");
+    QTRY_COMPARE_WITH_TIMEOUT(m_kiosk->walk().state(), session::RunState::Running, 60000);
+    QVERIFY(m_kiosk->detail().isEmpty());
+}
+
+void KioskTest::aMapThatIsGoneIsKept() {
+    m_start.map = m_folder.filePath(QStringLiteral("going.gpkg"));
+    QVERIFY(QFile::copy(m_folder.filePath(QStringLiteral("house.gpkg")), m_start.map));
+    start();
+    QVERIFY(QFile::remove(m_start.map));
+    QTRY_VERIFY_WITH_TIMEOUT(m_kiosk->detail().contains(QLatin1String("The file of the map is gone")), 60000);
+    choose(1);
+    key(Qt::Key_Escape);
+    QTRY_VERIFY_WITH_TIMEOUT(heard("The file of the map is gone. I keep the map that I have."), 60000);
+}
+
+void KioskTest::aFolderThatCannotBeWrittenIsTold() {
+    m_start.memoryFile = QStringLiteral("/proc/none/state.json");
+    start();
+    QVERIFY(heard("The destination cannot be kept for a restart"));
+    QTRY_VERIFY(m_kiosk->detail().contains(QLatin1String("cannot be kept")));
+    choose(2); // it guides all the same
+    QCOMPARE(m_kiosk->machine().state(), KioskState::Preview);
+}
+
+void KioskTest::aFullDiskIsTold() {
+    m_start.utteranceFile = m_folder.filePath(QStringLiteral("full.jsonl"));
+    start();
+    rlimit before{};
+    getrlimit(RLIMIT_FSIZE, &before);
+    rlimit none = before;
+    none.rlim_cur = 0;
+    setrlimit(RLIMIT_FSIZE, &none);
+    key(Qt::Key_End);
+    key(Qt::Key_Return);
+    const bool told = QTest::qWaitFor([&] { return !m_kiosk->detail().isEmpty(); }, 60000);
+    m_log.clear();
+    key(Qt::Key_Escape);
+    setrlimit(RLIMIT_FSIZE, &before);
+    QVERIFY(told);
+    QTRY_VERIFY(heard("The destination cannot be kept for a restart"));
+    QVERIFY(m_kiosk->detail().contains(QLatin1String("full.jsonl")));
+}
+
+void KioskTest::twoKiosksOfOneUser() {
+    start();
+    choose(3);
+    QTRY_VERIFY(QFile::exists(m_start.memoryFile));
+    QStringList said;
+    int warnings = 0;
+    Kiosk second(
+        *m_settings, m_start, {}, [](const VoiceChoice&) { return std::make_unique<test::FakeVoice>(); },
+        std::make_unique<CountedChimes>(warnings));
+    QSignalSpy finished(&second, &Kiosk::finished);
+    connect(&second, &Kiosk::spoken, this, [&](const QString& text) { said << text; });
+    second.begin();
+    QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 1, 60000);
+    QCOMPARE(said, QStringList(QStringLiteral("Farol is already running here. I close this one. Goodbye.")));
+    QVERIFY(second.detail().contains(QLatin1String("Another Farol kiosk")));
+    second.close();
+    QVERIFY(QFile::exists(m_start.memoryFile)); // it is the first one's
+    QVERIFY(m_kiosk->machine().destination());
+}
+
+void KioskTest::closingWhileLed() {
+    start();
+    choose(3);
+    key(Qt::Key_Return);
+    QCOMPARE(m_kiosk->machine().state(), KioskState::Walking);
+    m_page->close();
+    m_page.reset();
+    m_kiosk.reset();
+    QVERIFY(!QFile::exists(m_start.memoryFile)); // a good end is no crash
+    make();                                      // and nothing is locked
     QTRY_VERIFY_WITH_TIMEOUT(heard("Choose a destination"), 60000);
 }
 

@@ -3,7 +3,10 @@
 #include "core/building/info.h"
 #include "ui/convert/convert.h"
 #include "ui/demo/demo.h"
+#include "ui/speech/spoken.h"
 
+#include <QDir>
+#include <QFileInfo>
 #include <QLocale>
 
 #include <utility>
@@ -27,7 +30,7 @@ Kiosk::Kiosk(Settings& settings, KioskStart start, Walk::OpenSource open, Speech
       m_walk(Demo::opener(m_simulated, std::move(open))),
       m_user(m_walk, m_simulated),
       m_log(m_start.utteranceFile),
-      m_speech(settings, std::move(makeOutput)),
+      m_speech(settings, otherVoiceIfNeeded(std::move(makeOutput))),
       m_chimes(chimes ? std::move(chimes) : makeChimes()),
       m_machine(settings),
       m_memory(m_start.memoryFile) {
@@ -38,9 +41,26 @@ Kiosk::Kiosk(Settings& settings, KioskStart start, Walk::OpenSource open, Speech
     connectWalk();
     connectMachine();
     connectVoice();
+    connectMapWatch();
 }
 
 Kiosk::~Kiosk() = default;
+
+SpeechDesk::MakeOutput Kiosk::otherVoiceIfNeeded(SpeechDesk::MakeOutput make) {
+    return [this, make = std::move(make)](VoiceChoice choice) {
+        if (m_anyVoice) choice.engine.clear();
+        return make ? make(choice) : makeSpeechOutput(choice);
+    };
+}
+
+/// Two that speak at once, and share one memory of the way, would mislead.
+bool Kiosk::isTheOnlyOne() {
+    if (m_start.memoryFile.isEmpty()) return true;
+    QDir().mkpath(QFileInfo(m_start.memoryFile).absolutePath());
+    m_lock = std::make_unique<QLockFile>(m_start.memoryFile + QStringLiteral(".lock"));
+    m_lock->setStaleLockTime(0); // one that has crashed is known by its process
+    return m_lock->tryLock(0) || m_lock->error() != QLockFile::LockFailedError;
+}
 
 void Kiosk::connectWalk() {
     connect(&m_walk, &Walk::mapChanged, this, &Kiosk::mapCame);
@@ -76,6 +96,7 @@ void Kiosk::connectMachine() {
                 } else {
                     m_user.stand();
                     m_memory.forget();
+                    if (m_mapChanged) useChangedMap();
                 }
             });
     connect(&m_machine, &KioskMachine::cameraWanted, this, [this] {
@@ -95,8 +116,7 @@ void Kiosk::connectMachine() {
 
 void Kiosk::connectVoice() {
     connect(&m_speech, &SpeechDesk::utteranceChanged, this, &Kiosk::utteranceCame);
-    connect(&m_speech, &SpeechDesk::statusChanged, this,
-            [this](const QString& status, bool bad) { setDetail(bad ? status : QString()); });
+    connect(&m_speech, &SpeechDesk::statusChanged, this, &Kiosk::voiceTrouble);
     connect(&m_settings, &Settings::guidanceChanged, this,
             [this] { m_walk.setVerbosity(m_settings.verbosity()); });
     connect(&m_settings, &Settings::languageChanged, this, [this] {
@@ -106,13 +126,62 @@ void Kiosk::connectVoice() {
     });
 }
 
+void Kiosk::voiceTrouble(const QString& status, bool bad) {
+    const QString detail = bad ? status : QString();
+    if (detail == m_voiceDetail) return;
+    m_voiceDetail = detail;
+    Q_EMIT changed();
+    if (!bad) return;
+    m_chimes->play(Sound::Warning); // perhaps this is still heard
+    if (m_anyVoice || m_settings.voice().engine.isEmpty()) return;
+    m_anyVoice = true;
+    // Not from within the voice that has just failed.
+    QTimer::singleShot(0, this, [this] {
+        if (m_closed) return;
+        m_speech.rebuild();
+        m_speech.say(spoken::joined({tr("The chosen voice does not work. This is another one."), m_unheard}));
+    });
+}
+
+/// While somebody is led, the way is by the map he set out with.
+void Kiosk::connectMapWatch() {
+    connect(&m_mapWatch, &MapWatch::changed, this, [this] {
+        if (m_closed || m_leaving) return;
+        if (!m_machine.destination()) return useChangedMap();
+        m_mapChanged = true;
+        setDetail(tr("The map has been changed. The new one is used after this way."));
+    });
+    connect(&m_mapWatch, &MapWatch::changedBack, this, [this] {
+        m_mapChanged = false;
+        setDetail({});
+    });
+    connect(&m_mapWatch, &MapWatch::gone, this, [this] {
+        const QString told = tr("The file of the map is gone. I keep the map that I have.");
+        setDetail(told);
+        m_machine.remark(told);
+    });
+    connect(&m_mapWatch, &MapWatch::unreadable, this, [this](const QString& message) {
+        setDetail(message);
+        m_machine.remark(tr("The new map cannot be opened. I keep the old one."));
+    });
+}
+
+void Kiosk::useChangedMap() {
+    m_mapChanged = false;
+    setDetail({});
+    m_walk.loadMap(m_walk.mapName());
+    if (!m_start.source.isEmpty()) m_walk.play(); // once it is loaded
+}
+
 void Kiosk::utteranceCame(const Utterance& utterance) {
     const UtteranceState state = utterance.state;
     const bool heard = state == UtteranceState::Speaking || state == UtteranceState::Shown;
     if (heard) Q_EMIT spoken(utterance.text);
     m_log.write(utterance);
+    if (!m_log.trouble().isEmpty() && m_detail.isEmpty()) setDetail(m_log.trouble());
     // Who has only asked what the way is like does not set out on it.
     if (heard && !utterance.own && m_machine.guiding()) m_user.hear(utterance.cue);
+    if (state == UtteranceState::Shown) m_unheard = utterance.text;
     const bool over = state == UtteranceState::Spoken || state == UtteranceState::Shown;
     if (m_leaving && over && utterance.own) m_farewell.start(0);
 }
@@ -130,7 +199,13 @@ void Kiosk::holdBack() {
 }
 
 void Kiosk::begin() {
+    if (!isTheOnlyOne()) {
+        m_opened = m_closed = true; // the memory is the other one's
+        setDetail(tr("Another Farol kiosk of this user is running."));
+        return m_machine.refuse(tr("Farol is already running here. I close this one. Goodbye."));
+    }
     if (!m_log.trouble().isEmpty()) setDetail(m_log.trouble());
+    if (!m_start.memoryFile.isEmpty() && !m_memory.writable()) memoryTrouble();
     m_machine.greet();
     if (m_start.map.isEmpty()) {
         setDetail(tr("No map was given (farol --kiosk --map FILE)."));
@@ -153,6 +228,13 @@ void Kiosk::mapCame() {
         setDetail(toQString(found.error().text()));
         return std::nullopt;
     };
+    m_mapWatch.follow(m_walk.mapName(), FileStamp::of(m_walk.mapName()), building);
+    if (m_opened) { // the changed map: the user is where he was
+        if (m_region && building->region(*m_region)) m_walk.setStart(m_region);
+        m_machine.remark(tr("The map has been changed, and I use the new one."));
+        return m_machine.setBuilding(building);
+    }
+    m_opened = true;
     if (const auto from = look(m_start.from)) m_walk.setStart(from);
     const std::optional<KioskMoment> left = m_memory.load();
     if (left && left->map == m_walk.mapName()) {
@@ -215,7 +297,22 @@ void Kiosk::remember() {
     if (!destination || m_leaving || m_closed) return;
     const bool kept = m_memory.save(
         {m_walk.mapName(), toQString(destination->value), m_region ? toQString(m_region->value) : QString()});
-    if (!kept) setDetail(tr("The destination cannot be kept for a restart: the folder cannot be written."));
+    if (!kept) memoryTrouble();
+}
+
+void Kiosk::memoryTrouble() {
+    if (std::exchange(m_memoryTold, true)) return;
+    m_machine.remark(memoryWords());
+    Q_EMIT changed();
+}
+
+QString Kiosk::memoryWords() {
+    return tr("The destination cannot be kept for a restart: the folder cannot be written.");
+}
+
+QString Kiosk::detail() const {
+    if (!m_voiceDetail.isEmpty()) return m_voiceDetail;
+    return m_detail.isEmpty() && m_memoryTold ? memoryWords() : m_detail;
 }
 
 void Kiosk::close() {

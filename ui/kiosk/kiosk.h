@@ -2,6 +2,7 @@
 // The kiosk's parts put together: keys and words (KioskMachine), the walk, the voice, the sounds and what
 // survives a crash. GUI thread; no widgets.
 
+#include "ui/convert/map_watch.h"
 #include "ui/demo/simulated_user.h"
 #include "ui/kiosk/chimes.h"
 #include "ui/kiosk/kiosk_machine.h"
@@ -11,6 +12,7 @@
 #include "ui/live/walk.h"
 #include "ui/settings/settings.h"
 
+#include <QLockFile>
 #include <QObject>
 #include <QString>
 #include <QTimer>
@@ -46,7 +48,7 @@ public:
     Walk& walk() { return m_walk; }
     SimulatedUser& user() { return m_user; }
     SpeechDesk& speech() { return m_speech; }
-    const QString& detail() const { return m_detail; } ///< what is wrong, for those who help
+    QString detail() const; ///< what is wrong, for those who help
 
 Q_SIGNALS:
     void spoken(const QString& text); ///< is being said now, or shown for want of a voice
@@ -57,6 +59,13 @@ private:
     void connectWalk();
     void connectMachine();
     void connectVoice();
+    void connectMapWatch();
+    bool isTheOnlyOne();
+    SpeechDesk::MakeOutput otherVoiceIfNeeded(SpeechDesk::MakeOutput make);
+    void memoryTrouble();
+    static QString memoryWords();
+    void voiceTrouble(const QString& status, bool bad);
+    void useChangedMap();
     void utteranceCame(const Utterance& utterance);
     void mapCame();
     void cueCame(const guidance::Cue& cue);
@@ -72,14 +81,21 @@ private:
     Walk m_walk;
     SimulatedUser m_user; ///< where the source is a simulation
     UtteranceLog m_log;
+    bool m_anyVoice = false; ///< the chosen one does not work
     SpeechDesk m_speech;
     std::unique_ptr<Chimes> m_chimes;
     KioskMachine m_machine;
     KioskMemory m_memory;
+    MapWatch m_mapWatch;
+    std::unique_ptr<QLockFile> m_lock; ///< held while this kiosk is the only one of its user
     QTimer m_farewell;
-    QString m_detail;
+    QString m_detail, m_voiceDetail;
+    QString m_unheard; ///< was shown last, for want of a voice
     std::optional<RegionId> m_region;
     bool m_sourceBroken = false, m_leaving = false, m_closed = false;
+    bool m_mapChanged = false; ///< the new one waits for the end of the way
+    bool m_memoryTold = false;
+    bool m_opened = false; ///< the command line has been followed
 };
 
 } // namespace farol::ui

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace farol::ui {
 
@@ -87,6 +88,20 @@ void KioskMachine::mapFailed() {
     say(stateWords());
 }
 
+void KioskMachine::remark(const QString& text) {
+    if (!m_remarks.contains(text)) m_remarks << text;
+}
+
+QString KioskMachine::withRemarks(const QString& words) {
+    return spoken::joined(QStringList{words} + std::exchange(m_remarks, {}));
+}
+
+void KioskMachine::refuse(const QString& why) {
+    setState(KioskState::Leaving);
+    say(why);
+    Q_EMIT left();
+}
+
 void KioskMachine::setWish(const RegionId& destination, bool afterCrash,
                            const std::optional<RegionId>& region) {
     m_wish = Wish{destination, afterCrash, region};
@@ -98,12 +113,12 @@ void KioskMachine::wishGranted() {
     m_destination = wish.destination;
     Q_EMIT destinationChosen(m_destination);
     setState(KioskState::Preview);
-    if (!wish.afterCrash) return say(previewWords());
+    if (!wish.afterCrash) return say(withRemarks(previewWords()));
     QStringList words{tr("Farol was interrupted and has started again.")};
     const QString place = wish.region ? m_places.words(*wish.region) : QString();
     if (!place.isEmpty()) words << tr("You were last here: %1.").arg(place);
     words << previewWords();
-    say(spoken::joined(words));
+    say(withRemarks(spoken::joined(words)));
 }
 
 void KioskMachine::setCamera(KioskCamera camera) {

@@ -44,6 +44,9 @@ public:
     void greet();
     void setBuilding(std::shared_ptr<const building::Building> building);
     void mapFailed();
+    /// Told once, behind the next words about places: nothing that concerns the next step.
+    void remark(const QString& text);
+    void refuse(const QString& why); ///< these are the last words
     void setCamera(KioskCamera camera);
     void setRegion(const std::optional<RegionId>& region); ///< where the user is, as far as known
     /// A destination for when the map is there: asked for on the command line, or left by a crash.
@@ -115,6 +118,7 @@ private:
     std::vector<Option> choosingOptions() const;
     static Option optionOf(KioskCommand command);
 
+    QString withRemarks(const QString& words);
     QString stateWords() const;
     QString chooseWords() const;
     QString placeWords() const;
@@ -145,6 +149,7 @@ private:
     int m_sweep = 0; ///< order of the look around that was told last; 0: none
     int m_option = -1;
     bool m_inCategory = false;
+    QStringList m_remarks;
 };
 
 /// Everything the kiosk says of itself; sentences of the way are the Phrasebook's.

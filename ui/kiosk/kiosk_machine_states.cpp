@@ -148,7 +148,7 @@ void KioskMachine::toChoosing() {
     m_places.setCategory(0);
     setState(KioskState::Choosing);
     if (had) Q_EMIT destinationChosen(m_destination);
-    say(chooseWords());
+    say(withRemarks(chooseWords()));
 }
 
 void KioskMachine::toPreview(const RegionId& region) {

@@ -33,11 +33,21 @@ bool KioskMemory::save(const KioskMoment& moment) const {
     QDir().mkpath(QFileInfo(m_file).absolutePath());
     QSaveFile file(m_file);
     if (!file.open(QIODevice::WriteOnly)) return false;
-    file.write(
+    const QByteArray text =
         QJsonDocument(
             QJsonObject{{kMap, moment.map}, {kDestination, moment.destination}, {kRegion, moment.region}})
-            .toJson());
+            .toJson();
+    // commit() alone forgets that the last bytes could not be written, and puts an empty file in place.
+    if (file.write(text) != text.size() || !file.flush()) file.cancelWriting();
     return file.commit();
+}
+
+bool KioskMemory::writable() const {
+    QDir().mkpath(QFileInfo(m_file).absolutePath());
+    QSaveFile file(m_file);
+    const bool opened = file.open(QIODevice::WriteOnly);
+    file.cancelWriting();
+    return opened;
 }
 
 void KioskMemory::forget() const {

@@ -20,6 +20,7 @@ public:
     std::optional<KioskMoment> load() const; ///< empty also for a file that cannot be read
     /// False: it could not be written (read-only folder, full disk); the old file is whole.
     bool save(const KioskMoment& moment) const;
+    bool writable() const; ///< a try that leaves nothing behind
     void forget() const;
 
 private:

@@ -108,8 +108,11 @@ void UtteranceLog::tellCause(const Utterance& utterance, double at, QJsonObject&
 
 void UtteranceLog::writeLine(const QJsonObject& object) {
     if (!m_file.isOpen()) return;
-    m_file.write(QJsonDocument(object).toJson(QJsonDocument::Compact) + '\n');
-    m_file.flush(); // somebody may be following it
+    const QByteArray line = QJsonDocument(object).toJson(QJsonDocument::Compact) + '\n';
+    const bool written = m_file.write(line) == line.size() && m_file.flush(); // somebody may be following it
+    if (written || !m_trouble.isEmpty()) return;
+    m_trouble = tr("What is said cannot be written to %1: %2. Choose another file.")
+                    .arg(m_file.fileName(), m_file.errorString());
 }
 
 } // namespace farol::ui

@@ -26,7 +26,8 @@ public:
     void say(const QString& text); ///< the program's own words, at once
     void setNow(double time, const std::optional<RegionId>& region, std::uint64_t routeVersion);
     void repeatLast();
-    void reset(); ///< a new walk: nothing of the old one is said any more
+    void rebuild(); ///< the voice anew, as the settings and `make` now say
+    void reset();   ///< a new walk: nothing of the old one is said any more
     QString status() const { return m_status; }
     bool trouble() const { return m_trouble; }
 
@@ -35,7 +36,6 @@ Q_SIGNALS:
     void statusChanged(const QString& status, bool trouble);
 
 private:
-    void rebuild();
     void setStatus(const QString& status, bool trouble);
 
     Settings& m_settings;

@@ -26,7 +26,10 @@ const QString kCorrected = QStringLiteral("corrected");
 
 bool written(const QString& path, const QByteArray& bytes) {
     QSaveFile file(path);
-    return file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size() && file.commit();
+    if (!file.open(QIODevice::WriteOnly)) return false;
+    // commit() alone forgets that the last bytes could not be written, and puts a cut file in place.
+    if (file.write(bytes) != bytes.size() || !file.flush()) file.cancelWriting();
+    return file.commit();
 }
 
 } // namespace

@@ -3,10 +3,12 @@
 #include "ui/speech/phrasebook.h"
 #include "ui/speech/voice.h"
 
+#include <QCoreApplication>
 #include <QThread>
 #include <QTimer>
 
 #include <algorithm>
+#include <utility>
 
 namespace farol::ui {
 
@@ -20,6 +22,36 @@ constexpr int kSpareMs = 4000;
 /// A program that ends does not wait longer for a voice that hangs.
 constexpr unsigned long kFarewellMs = 2000;
 
+/// Voices that are not wanted any more end their threads by themselves: an engine can take half a second to
+/// let go of a sound device, and the next voice must not wait for it. Only the end of the program does.
+QList<QThread*>& retiring() {
+    static QList<QThread*> threads;
+    return threads;
+}
+
+void waitForRetiring() {
+    for (QThread* thread : std::exchange(retiring(), {})) {
+        // A thread that hangs in an engine cannot be ended: it is left behind rather than the window.
+        if (thread->wait(kFarewellMs)) delete thread;
+    }
+}
+
+void retire(QThread* thread) {
+    static const bool registered = [] {
+        qAddPostRoutine(waitForRetiring);
+        return true;
+    }();
+    Q_UNUSED(registered);
+    QList<QThread*>& threads = retiring();
+    threads.removeIf([](QThread* old) {
+        const bool over = old->isFinished();
+        if (over) delete old;
+        return over;
+    });
+    thread->quit();
+    threads << thread;
+}
+
 class QtSpeechOutput : public SpeechOutput {
 public:
     QtSpeechOutput(VoiceChoice choice, QObject* parent) : SpeechOutput(parent), m_choice(std::move(choice)) {
@@ -31,9 +63,9 @@ public:
     ~QtSpeechOutput() override {
         if (!m_thread) return;
         m_voice->disconnect(this);
-        m_thread->quit();
-        // A thread that hangs in an engine cannot be ended: it is left behind rather than the window.
-        if (m_thread->wait(kFarewellMs)) delete m_thread;
+        // Silent at once, even while the thread takes its time to end.
+        QMetaObject::invokeMethod(m_voice, [voice = m_voice] { voice->stop(); });
+        retire(m_thread);
     }
 
     void say(const QString& text) override {

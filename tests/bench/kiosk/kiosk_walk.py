@@ -11,6 +11,7 @@ then it looks where the simulated user really stands. Exit code 1 if a walk did 
 
 import argparse
 import pathlib
+import shutil
 import sys
 import time
 
@@ -18,7 +19,6 @@ sys.path.insert(0, str(pathlib.Path(__file__).parent))
 from desk import Kiosk, Screen, SoundCard  # noqa: E402
 
 MOST_KEYS = 200
-MOST_SECONDS = 400.0
 QUIET_SECONDS = 25.0  # then a user asks
 
 
@@ -105,11 +105,11 @@ def start(kiosk, key):
         kiosk.press(key)
 
 
-def be_led(kiosk, again):
+def be_led(kiosk, again, patience):
     """Listens until the arrival; who hears nothing for long asks."""
     began = last = time.monotonic()
     asked = 0
-    while time.monotonic() - began < MOST_SECONDS:
+    while time.monotonic() - began < patience:
         for line in kiosk.listen():
             last = time.monotonic()
             if "You have arrived" in line["text"] or "You have probably arrived" in line["text"]:
@@ -135,7 +135,7 @@ def give_up(kiosk, way):
     return False
 
 
-def walk(kiosk, way, to):
+def walk(kiosk, way, to, patience):
     choose, enter, again, name = WAYS[way]
     name = to or name
     choose(kiosk, name)
@@ -143,9 +143,9 @@ def walk(kiosk, way, to):
     first = len(kiosk.heard)
     start(kiosk, enter)
     try:
-        told, seconds, asked = be_led(kiosk, again)
+        told, seconds, asked = be_led(kiosk, again, patience)
     except TimeoutError as late:
-        print(f"| {way} | {name} | {late} | {place(kiosk)} | NO | {MOST_SECONDS:.0f} | {len(kiosk.heard) - first} | |",
+        print(f"| {way} | {name} | {late} | {place(kiosk)} | NO | {patience:.0f} | {len(kiosk.heard) - first} | |",
               flush=True)
         return give_up(kiosk, way)
     for _ in range(100):  # a door takes a few steps more
@@ -177,6 +177,8 @@ def main():
     parser.add_argument("--way", action="append", choices=list(WAYS))
     parser.add_argument("--to", help="with one --way: another destination")
     parser.add_argument("--from", dest="start", default="0.03")
+    parser.add_argument("--patience", type=float, default=400.0, help="seconds until a walk is given up")
+    parser.add_argument("--log", type=pathlib.Path, help="keep there what was said, and where the user really was")
     parser.add_argument("--quiet", action="store_true", help="print the table alone")
     arguments = parser.parse_args()
 
@@ -190,12 +192,14 @@ def main():
         kiosk.hear("Choose a destination", seconds=120)
         print("| way | destination | heard at the end | really in | there | seconds | utterances | asked again |")
         print("|---|---|---|---|---|---:|---:|---:|")
-        fine = all([walk(kiosk, way, arguments.to) for way in arguments.way or WAYS])
+        fine = all([walk(kiosk, way, arguments.to, arguments.patience) for way in arguments.way or WAYS])
         kiosk.leave()
         left = kiosk.process.returncode == 0
         print(f"left by holding Escape: {'well' if left else 'NOT well'}")
         return 0 if fine and left else 1
     finally:
+        if arguments.log:
+            shutil.copyfile(kiosk.log, arguments.log)
         kiosk.close()
         sound.close()
         screen.close()

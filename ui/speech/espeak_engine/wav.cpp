@@ -20,7 +20,7 @@ QString writeWav(const QString& path, const Sound& sound) {
     out.writeRawData("data", 4);
     out << bytes;
     out.writeRawData(sound.samples.constData(), static_cast<int>(sound.samples.size()));
-    if (out.status() != QDataStream::Ok || !file.commit())
+    if (out.status() != QDataStream::Ok || !file.flush() || !file.commit())
         return path + QStringLiteral(": ") + file.errorString();
     return {};
 }

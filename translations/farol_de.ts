@@ -722,6 +722,73 @@
     </message>
 </context>
 <context>
+    <name>farol::ui::FloorPictures</name>
+    <message>
+        <source>The image lies where its file says.</source>
+        <translation>Das Bild liegt dort, wo seine Datei es angibt.</translation>
+    </message>
+    <message>
+        <source>Now click where this point belongs on the map. Escape gives up.</source>
+        <translation>Klicken Sie jetzt dorthin, wo dieser Punkt auf der Karte liegt. Escape bricht ab.</translation>
+    </message>
+    <message>
+        <source>Click a point of the image that you know on the map, a corner of the house, say. Escape leaves the image where it is.</source>
+        <translation>Klicken Sie auf einen Punkt des Bildes, den Sie auf der Karte kennen, etwa eine Hausecke. Escape lässt das Bild, wo es ist.</translation>
+    </message>
+    <message>
+        <source>Click a second point of the image, far from the first.</source>
+        <translation>Klicken Sie auf einen zweiten Punkt des Bildes, weit weg vom ersten.</translation>
+    </message>
+    <message>
+        <source>Placed. A third point straightens a skewed image; Escape ends.</source>
+        <translation>Eingepasst. Ein dritter Punkt richtet ein schiefes Bild gerade; Escape beendet.</translation>
+    </message>
+    <message>
+        <source>That is beside the image. Click a point of the image.</source>
+        <translation>Das ist neben dem Bild. Klicken Sie auf einen Punkt des Bildes.</translation>
+    </message>
+    <message>
+        <source>These points lie too near each other, or on one line. Click another one.</source>
+        <translation>Diese Punkte liegen zu nah beieinander oder auf einer Linie. Klicken Sie auf einen anderen.</translation>
+    </message>
+    <message>
+        <source>The image is placed by three points.</source>
+        <translation>Das Bild ist mit drei Punkten eingepasst.</translation>
+    </message>
+    <message>
+        <source>How strong the floor-plan image is</source>
+        <translation>Wie stark das Planbild zu sehen ist</translation>
+    </message>
+    <message>
+        <source>Place by p&amp;oints</source>
+        <translation>Einpa&amp;ssen</translation>
+    </message>
+    <message>
+        <source>Place the image by points</source>
+        <translation>Das Bild mit Punkten einpassen</translation>
+    </message>
+    <message>
+        <source>Click two or three points of the image and where they belong on the map</source>
+        <translation>Zwei oder drei Punkte des Bildes anklicken und wo sie auf der Karte liegen</translation>
+    </message>
+    <message>
+        <source>Take a&amp;way</source>
+        <translation>&amp;Wegnehmen</translation>
+    </message>
+    <message>
+        <source>Take the image away</source>
+        <translation>Das Bild wegnehmen</translation>
+    </message>
+    <message>
+        <source>The floor shows no image any more; its file stays</source>
+        <translation>Das Stockwerk zeigt kein Bild mehr; die Datei bleibt</translation>
+    </message>
+    <message>
+        <source>Ima&amp;ge:</source>
+        <translation>B&amp;ild:</translation>
+    </message>
+</context>
+<context>
     <name>farol::ui::FramePanel</name>
     <message>
         <source>What the camera sees</source>
@@ -916,6 +983,10 @@ Open a camera, a video or a folder of pictures, then press Play.</source>
     <message>
         <source>The timeline at the bottom looks back: drag it, or use the arrow keys. “Why there” explains the vote of the place that is chosen in the list.</source>
         <translation>Die Zeitleiste unten schaut zurück: Ziehen Sie sie, oder benutzen Sie die Pfeile. „Warum dort“ erklärt die Stimme für den Ort, der in der Liste gewählt ist.</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+U marks from where no landmark is seen, and Ctrl+Shift+N lists the routes that are missing. Ctrl+Shift+I lays the image of a floor plan under the floor: click two points of it and where they belong.</source>
+        <translation>Strg+Umschalt+U markiert, von wo keine Landmarke zu sehen ist, und Strg+Umschalt+N listet die Wege auf, die fehlen. Strg+Umschalt+I legt das Bild eines Grundrisses unter das Stockwerk: Klicken Sie auf zwei seiner Punkte und wo sie liegen.</translation>
     </message>
 </context>
 <context>
@@ -2592,6 +2663,42 @@ Führt einen blinden Menschen mit einer gewöhnlichen Kamera durch ein Gebäude:
         <source>Use the saved map on the Walk page</source>
         <translation>Die gespeicherte Karte auf der Seite Begehung verwenden</translation>
     </message>
+    <message>
+        <source>Where landmarks are see&amp;n</source>
+        <translation>Wo L&amp;andmarken zu sehen sind</translation>
+    </message>
+    <message>
+        <source>Seen</source>
+        <translation>Sichtbar</translation>
+    </message>
+    <message>
+        <source>Mark from where landmarks can be seen, and from where none can</source>
+        <translation>Markieren, von wo Landmarken zu sehen sind und von wo keine</translation>
+    </message>
+    <message>
+        <source>&amp;Missing routes…</source>
+        <translation>&amp;Fehlende Wege…</translation>
+    </message>
+    <message>
+        <source>Missing routes</source>
+        <translation>Fehlende Wege</translation>
+    </message>
+    <message>
+        <source>List the places between which no route leads, and why</source>
+        <translation>Die Orte auflisten, zwischen denen kein Weg führt, und warum</translation>
+    </message>
+    <message>
+        <source>Floor-plan ima&amp;ge…</source>
+        <translation>Bild d&amp;es Grundrisses…</translation>
+    </message>
+    <message>
+        <source>Image</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>Lay the image of a floor plan under the floor that is shown</source>
+        <translation>Das Bild eines Grundrisses unter das gezeigte Stockwerk legen</translation>
+    </message>
 </context>
 <context>
     <name>farol::ui::MapDocument</name>
@@ -2778,6 +2885,18 @@ Führt einen blinden Menschen mit einer gewöhnlichen Kamera durch ein Gebäude:
         <source>Save &amp;over it</source>
         <translation>&amp;Darüber speichern</translation>
     </message>
+    <message>
+        <source>Floor-plan image</source>
+        <translation>Bild des Grundrisses</translation>
+    </message>
+    <message>
+        <source>Pictures (%1);;All files (%2)</source>
+        <translation>Bilder (%1);;Alle Dateien (%2)</translation>
+    </message>
+    <message>
+        <source>No landmark is seen from %1 % of the floors.</source>
+        <translation>Von %1 % der Stockwerke aus ist keine Landmarke zu sehen.</translation>
+    </message>
 </context>
 <context>
     <name>farol::ui::MapPanel</name>
@@ -2884,6 +3003,79 @@ Führt einen blinden Menschen mit einer gewöhnlichen Kamera durch ein Gebäude:
 Open one with Ctrl+O.</source>
         <translation>Es ist keine Karte geöffnet.
 Öffnen Sie eine mit Strg+O.</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::MissingDialog</name>
+    <message>
+        <source>&amp;Show on the plan</source>
+        <translation>Im Plan &amp;zeigen</translation>
+    </message>
+    <message>
+        <source>Missing routes</source>
+        <translation>Fehlende Wege</translation>
+    </message>
+    <message>
+        <source>Looking for the way between all places…</source>
+        <translation>Die Wege zwischen allen Orten werden gesucht…</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Von</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Nach</translation>
+    </message>
+    <message>
+        <source>Missing</source>
+        <translation>Es fehlt</translation>
+    </message>
+    <message>
+        <source>Why</source>
+        <translation>Warum</translation>
+    </message>
+    <message>
+        <source>Places between which no route leads; Enter shows the chosen one on the plan</source>
+        <translation>Orte, zwischen denen kein Weg führt; Eingabe zeigt den gewählten im Plan</translation>
+    </message>
+    <message>
+        <source>Show on the plan</source>
+        <translation>Im Plan zeigen</translation>
+    </message>
+    <message>
+        <source>Choose both places on the Map page, and see them on the plan</source>
+        <translation>Beide Orte auf der Seite Karte wählen und im Plan sehen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 and %n more place(s)</source>
+        <translation>
+            <numerusform>%1 und %n weiterer Ort</numerusform>
+            <numerusform>%1 und %n weitere Orte</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>From every place there is a route to every other one (%1 pairs of places).</source>
+        <translation>Von jedem Ort führt ein Weg zu jedem anderen (%1 Paare von Orten).</translation>
+    </message>
+    <message>
+        <source>Of %1 pairs of places, %2 have no route.</source>
+        <translation>Von %1 Paaren von Orten haben %2 keinen Weg.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more line(s) are not listed: mend these first.</source>
+        <translation>
+            <numerusform>%n weitere Zeile ist nicht aufgeführt: Beheben Sie zuerst diese.</numerusform>
+            <numerusform>%n weitere Zeilen sind nicht aufgeführt: Beheben Sie zuerst diese.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>both ways</source>
+        <translation>hin und zurück</translation>
+    </message>
+    <message>
+        <source>this way</source>
+        <translation>nur hin</translation>
     </message>
 </context>
 <context>
@@ -4320,6 +4512,18 @@ Open one with Ctrl+O.</source>
     <message>
         <source>Legend: %1</source>
         <translation>Legende: %1</translation>
+    </message>
+    <message>
+        <source>sees no landmark</source>
+        <translation>sieht keine Landmarke</translation>
+    </message>
+    <message>
+        <source>sees one</source>
+        <translation>sieht eine</translation>
+    </message>
+    <message>
+        <source>sees several</source>
+        <translation>sieht mehrere</translation>
     </message>
 </context>
 <context>

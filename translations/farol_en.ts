@@ -141,6 +141,23 @@
     </message>
 </context>
 <context>
+    <name>farol::ui::MissingDialog</name>
+    <message numerus="yes">
+        <source>%1 and %n more place(s)</source>
+        <translation>
+            <numerusform>%1 and %n more place</numerusform>
+            <numerusform>%1 and %n more places</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more line(s) are not listed: mend these first.</source>
+        <translation>
+            <numerusform>%n more line is not listed: mend these first.</numerusform>
+            <numerusform>%n more lines are not listed: mend these first.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>farol::ui::Phrasebook</name>
     <message numerus="yes">
         <source>In about %n metre(s)</source>

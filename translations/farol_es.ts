@@ -722,6 +722,73 @@
     </message>
 </context>
 <context>
+    <name>farol::ui::FloorPictures</name>
+    <message>
+        <source>The image lies where its file says.</source>
+        <translation>La imagen está donde indica su archivo.</translation>
+    </message>
+    <message>
+        <source>Now click where this point belongs on the map. Escape gives up.</source>
+        <translation>Pulse ahora donde este punto está en el mapa. Escape lo cancela.</translation>
+    </message>
+    <message>
+        <source>Click a point of the image that you know on the map, a corner of the house, say. Escape leaves the image where it is.</source>
+        <translation>Pulse un punto de la imagen que conozca en el mapa, una esquina de la casa, por ejemplo. Escape deja la imagen donde está.</translation>
+    </message>
+    <message>
+        <source>Click a second point of the image, far from the first.</source>
+        <translation>Pulse un segundo punto de la imagen, lejos del primero.</translation>
+    </message>
+    <message>
+        <source>Placed. A third point straightens a skewed image; Escape ends.</source>
+        <translation>Colocada. Un tercer punto endereza una imagen torcida; Escape termina.</translation>
+    </message>
+    <message>
+        <source>That is beside the image. Click a point of the image.</source>
+        <translation>Eso está fuera de la imagen. Pulse un punto de la imagen.</translation>
+    </message>
+    <message>
+        <source>These points lie too near each other, or on one line. Click another one.</source>
+        <translation>Estos puntos están demasiado cerca unos de otros, o en una misma línea. Pulse otro.</translation>
+    </message>
+    <message>
+        <source>The image is placed by three points.</source>
+        <translation>La imagen está colocada con tres puntos.</translation>
+    </message>
+    <message>
+        <source>How strong the floor-plan image is</source>
+        <translation>Con qué fuerza se ve la imagen del plano</translation>
+    </message>
+    <message>
+        <source>Place by p&amp;oints</source>
+        <translation>Colocar p&amp;or puntos</translation>
+    </message>
+    <message>
+        <source>Place the image by points</source>
+        <translation>Colocar la imagen por puntos</translation>
+    </message>
+    <message>
+        <source>Click two or three points of the image and where they belong on the map</source>
+        <translation>Pulsar dos o tres puntos de la imagen y donde están en el mapa</translation>
+    </message>
+    <message>
+        <source>Take a&amp;way</source>
+        <translation>Qui&amp;tar</translation>
+    </message>
+    <message>
+        <source>Take the image away</source>
+        <translation>Quitar la imagen</translation>
+    </message>
+    <message>
+        <source>The floor shows no image any more; its file stays</source>
+        <translation>La planta ya no muestra la imagen; su archivo se conserva</translation>
+    </message>
+    <message>
+        <source>Ima&amp;ge:</source>
+        <translation>Ima&amp;gen:</translation>
+    </message>
+</context>
+<context>
     <name>farol::ui::FramePanel</name>
     <message>
         <source>What the camera sees</source>
@@ -916,6 +983,10 @@ Abra una cámara, un vídeo o una carpeta de imágenes y pulse Reproducir.</tran
     <message>
         <source>The timeline at the bottom looks back: drag it, or use the arrow keys. “Why there” explains the vote of the place that is chosen in the list.</source>
         <translation>La línea de tiempo de abajo mira atrás: arrástrela o use las flechas. “Por qué allí” explica el voto del lugar elegido en la lista.</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+U marks from where no landmark is seen, and Ctrl+Shift+N lists the routes that are missing. Ctrl+Shift+I lays the image of a floor plan under the floor: click two points of it and where they belong.</source>
+        <translation>Ctrl+Mayús+U marca desde dónde no se ve ningún punto de referencia, y Ctrl+Mayús+N enumera las rutas que faltan. Ctrl+Mayús+I pone la imagen de un plano bajo la planta: pulse dos puntos de ella y donde están.</translation>
     </message>
 </context>
 <context>
@@ -2592,6 +2663,42 @@ Guía a una persona ciega por un edificio con una cámara corriente: reconoce lo
         <source>Use the saved map on the Walk page</source>
         <translation>Usar el mapa guardado en la página Recorrido</translation>
     </message>
+    <message>
+        <source>Where landmarks are see&amp;n</source>
+        <translation>Dó&amp;nde se ven puntos de referencia</translation>
+    </message>
+    <message>
+        <source>Seen</source>
+        <translation>Visibles</translation>
+    </message>
+    <message>
+        <source>Mark from where landmarks can be seen, and from where none can</source>
+        <translation>Marcar desde dónde se ven puntos de referencia, y desde dónde ninguno</translation>
+    </message>
+    <message>
+        <source>&amp;Missing routes…</source>
+        <translation>Rutas que &amp;faltan…</translation>
+    </message>
+    <message>
+        <source>Missing routes</source>
+        <translation>Rutas que faltan</translation>
+    </message>
+    <message>
+        <source>List the places between which no route leads, and why</source>
+        <translation>Enumerar los lugares entre los que no hay ruta, y por qué</translation>
+    </message>
+    <message>
+        <source>Floor-plan ima&amp;ge…</source>
+        <translation>&amp;Imagen del plano…</translation>
+    </message>
+    <message>
+        <source>Image</source>
+        <translation>Imagen</translation>
+    </message>
+    <message>
+        <source>Lay the image of a floor plan under the floor that is shown</source>
+        <translation>Poner la imagen de un plano bajo la planta que se ve</translation>
+    </message>
 </context>
 <context>
     <name>farol::ui::MapDocument</name>
@@ -2778,6 +2885,18 @@ Guía a una persona ciega por un edificio con una cámara corriente: reconoce lo
         <source>Save &amp;over it</source>
         <translation>Guardar &amp;encima</translation>
     </message>
+    <message>
+        <source>Floor-plan image</source>
+        <translation>Imagen del plano</translation>
+    </message>
+    <message>
+        <source>Pictures (%1);;All files (%2)</source>
+        <translation>Imágenes (%1);;Todos los archivos (%2)</translation>
+    </message>
+    <message>
+        <source>No landmark is seen from %1 % of the floors.</source>
+        <translation>Desde el %1 % de las plantas no se ve ningún punto de referencia.</translation>
+    </message>
 </context>
 <context>
     <name>farol::ui::MapPanel</name>
@@ -2884,6 +3003,79 @@ Guía a una persona ciega por un edificio con una cámara corriente: reconoce lo
 Open one with Ctrl+O.</source>
         <translation>No hay ningún mapa abierto.
 Abra uno con Ctrl+O.</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::MissingDialog</name>
+    <message>
+        <source>&amp;Show on the plan</source>
+        <translation>&amp;Mostrar en el plano</translation>
+    </message>
+    <message>
+        <source>Missing routes</source>
+        <translation>Rutas que faltan</translation>
+    </message>
+    <message>
+        <source>Looking for the way between all places…</source>
+        <translation>Buscando el camino entre todos los lugares…</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Desde</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Hasta</translation>
+    </message>
+    <message>
+        <source>Missing</source>
+        <translation>Falta</translation>
+    </message>
+    <message>
+        <source>Why</source>
+        <translation>Por qué</translation>
+    </message>
+    <message>
+        <source>Places between which no route leads; Enter shows the chosen one on the plan</source>
+        <translation>Lugares entre los que no hay ruta; Intro muestra la elegida en el plano</translation>
+    </message>
+    <message>
+        <source>Show on the plan</source>
+        <translation>Mostrar en el plano</translation>
+    </message>
+    <message>
+        <source>Choose both places on the Map page, and see them on the plan</source>
+        <translation>Elegir los dos lugares en la página Mapa, y verlos en el plano</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 and %n more place(s)</source>
+        <translation>
+            <numerusform>%1 y %n lugar más</numerusform>
+            <numerusform>%1 y %n lugares más</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>From every place there is a route to every other one (%1 pairs of places).</source>
+        <translation>Desde cada lugar hay una ruta a todos los demás (%1 pares de lugares).</translation>
+    </message>
+    <message>
+        <source>Of %1 pairs of places, %2 have no route.</source>
+        <translation>De %1 pares de lugares, %2 no tienen ruta.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more line(s) are not listed: mend these first.</source>
+        <translation>
+            <numerusform>Queda %n línea más sin mostrar: corrija primero estas.</numerusform>
+            <numerusform>Quedan %n líneas más sin mostrar: corrija primero estas.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>both ways</source>
+        <translation>en ambos sentidos</translation>
+    </message>
+    <message>
+        <source>this way</source>
+        <translation>en este sentido</translation>
     </message>
 </context>
 <context>
@@ -4320,6 +4512,18 @@ Abra uno con Ctrl+O.</translation>
     <message>
         <source>Legend: %1</source>
         <translation>Leyenda: %1</translation>
+    </message>
+    <message>
+        <source>sees no landmark</source>
+        <translation>no ve ninguno</translation>
+    </message>
+    <message>
+        <source>sees one</source>
+        <translation>ve un punto de referencia</translation>
+    </message>
+    <message>
+        <source>sees several</source>
+        <translation>ve varios</translation>
     </message>
 </context>
 <context>

@@ -722,6 +722,73 @@
     </message>
 </context>
 <context>
+    <name>farol::ui::FloorPictures</name>
+    <message>
+        <source>The image lies where its file says.</source>
+        <translation>L'image se trouve là où son fichier l'indique.</translation>
+    </message>
+    <message>
+        <source>Now click where this point belongs on the map. Escape gives up.</source>
+        <translation>Cliquez maintenant là où ce point se trouve sur la carte. Échap renonce.</translation>
+    </message>
+    <message>
+        <source>Click a point of the image that you know on the map, a corner of the house, say. Escape leaves the image where it is.</source>
+        <translation>Cliquez sur un point de l'image que vous connaissez sur la carte, un coin de la maison par exemple. Échap laisse l'image où elle est.</translation>
+    </message>
+    <message>
+        <source>Click a second point of the image, far from the first.</source>
+        <translation>Cliquez sur un deuxième point de l'image, loin du premier.</translation>
+    </message>
+    <message>
+        <source>Placed. A third point straightens a skewed image; Escape ends.</source>
+        <translation>Placée. Un troisième point redresse une image déformée ; Échap termine.</translation>
+    </message>
+    <message>
+        <source>That is beside the image. Click a point of the image.</source>
+        <translation>C'est à côté de l'image. Cliquez sur un point de l'image.</translation>
+    </message>
+    <message>
+        <source>These points lie too near each other, or on one line. Click another one.</source>
+        <translation>Ces points sont trop proches les uns des autres, ou sur une même ligne. Cliquez sur un autre.</translation>
+    </message>
+    <message>
+        <source>The image is placed by three points.</source>
+        <translation>L'image est placée par trois points.</translation>
+    </message>
+    <message>
+        <source>How strong the floor-plan image is</source>
+        <translation>Avec quelle force se voit l'image du plan</translation>
+    </message>
+    <message>
+        <source>Place by p&amp;oints</source>
+        <translation>Placer par p&amp;oints</translation>
+    </message>
+    <message>
+        <source>Place the image by points</source>
+        <translation>Placer l'image par points</translation>
+    </message>
+    <message>
+        <source>Click two or three points of the image and where they belong on the map</source>
+        <translation>Cliquer sur deux ou trois points de l'image et là où ils se trouvent sur la carte</translation>
+    </message>
+    <message>
+        <source>Take a&amp;way</source>
+        <translation>Retire&amp;r</translation>
+    </message>
+    <message>
+        <source>Take the image away</source>
+        <translation>Retirer l'image</translation>
+    </message>
+    <message>
+        <source>The floor shows no image any more; its file stays</source>
+        <translation>L'étage ne montre plus d'image ; son fichier reste</translation>
+    </message>
+    <message>
+        <source>Ima&amp;ge:</source>
+        <translation>Ima&amp;ge :</translation>
+    </message>
+</context>
+<context>
     <name>farol::ui::FramePanel</name>
     <message>
         <source>What the camera sees</source>
@@ -916,6 +983,10 @@ Ouvrez une caméra, une vidéo ou un dossier d&apos;images, puis appuyez sur Lec
     <message>
         <source>The timeline at the bottom looks back: drag it, or use the arrow keys. “Why there” explains the vote of the place that is chosen in the list.</source>
         <translation>La ligne du temps, en bas, regarde en arrière : glissez-la, ou utilisez les flèches. « Pourquoi là » explique le vote du lieu choisi dans la liste.</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+U marks from where no landmark is seen, and Ctrl+Shift+N lists the routes that are missing. Ctrl+Shift+I lays the image of a floor plan under the floor: click two points of it and where they belong.</source>
+        <translation>Ctrl+Maj+U marque d'où l'on ne voit aucun repère, et Ctrl+Maj+N énumère les itinéraires qui manquent. Ctrl+Maj+I pose l'image d'un plan sous l'étage : cliquez sur deux de ses points et là où ils se trouvent.</translation>
     </message>
 </context>
 <context>
@@ -2592,6 +2663,42 @@ Guide une personne aveugle dans un bâtiment avec une simple caméra : il recon
         <source>Use the saved map on the Walk page</source>
         <translation>Utiliser la carte enregistrée sur la page Parcours</translation>
     </message>
+    <message>
+        <source>Where landmarks are see&amp;n</source>
+        <translation>&amp;Où l'on voit des repères</translation>
+    </message>
+    <message>
+        <source>Seen</source>
+        <translation>Visibles</translation>
+    </message>
+    <message>
+        <source>Mark from where landmarks can be seen, and from where none can</source>
+        <translation>Marquer d'où l'on voit des repères, et d'où l'on n'en voit aucun</translation>
+    </message>
+    <message>
+        <source>&amp;Missing routes…</source>
+        <translation>Itinéraires man&amp;quants…</translation>
+    </message>
+    <message>
+        <source>Missing routes</source>
+        <translation>Itinéraires manquants</translation>
+    </message>
+    <message>
+        <source>List the places between which no route leads, and why</source>
+        <translation>Énumérer les lieux qu'aucun itinéraire ne relie, et pourquoi</translation>
+    </message>
+    <message>
+        <source>Floor-plan ima&amp;ge…</source>
+        <translation>Ima&amp;ge du plan…</translation>
+    </message>
+    <message>
+        <source>Image</source>
+        <translation>L'image</translation>
+    </message>
+    <message>
+        <source>Lay the image of a floor plan under the floor that is shown</source>
+        <translation>Poser l'image d'un plan sous l'étage montré</translation>
+    </message>
 </context>
 <context>
     <name>farol::ui::MapDocument</name>
@@ -2740,7 +2847,7 @@ Guide une personne aveugle dans un bâtiment avec une simple caméra : il recon
     </message>
     <message>
         <source>Another program has changed the file of this map. You have changes of your own: loading it again puts them aside, and Ctrl+Z brings them back.</source>
-        <translation>Un autre programme a modifié le fichier de ce plan. Vous avez vos propres modifications : le charger à nouveau les met de côté, et Ctrl+Z les ramène.</translation>
+        <translation>Un autre programme a modifié le fichier de ce plan. Vous avez vos propres modifications : le charger à nouveau les met de côté, et Ctrl+Z les ramène.</translation>
     </message>
     <message>
         <source>Another program has changed the file of this map.</source>
@@ -2752,11 +2859,11 @@ Guide une personne aveugle dans un bâtiment avec une simple caméra : il recon
     </message>
     <message>
         <source>The file %1 is no longer there. The map stays open here: save it, or it is lost when you leave.</source>
-        <translation>Le fichier %1 n’est plus là. Le plan reste ouvert ici : enregistrez-le, sinon il sera perdu quand vous quitterez.</translation>
+        <translation>Le fichier %1 n’est plus là. Le plan reste ouvert ici : enregistrez-le, sinon il sera perdu quand vous quitterez.</translation>
     </message>
     <message>
         <source>Another program has changed the file of this map, and it cannot be read any more (%1). The map stays open here as it was: save it under another name.</source>
-        <translation>Un autre programme a modifié le fichier de ce plan, qui n’est plus lisible (%1). Le plan reste ouvert ici tel qu’il était : enregistrez-le sous un autre nom.</translation>
+        <translation>Un autre programme a modifié le fichier de ce plan, qui n’est plus lisible (%1). Le plan reste ouvert ici tel qu’il était : enregistrez-le sous un autre nom.</translation>
     </message>
     <message>
         <source>Not saved yet</source>
@@ -2777,6 +2884,18 @@ Guide une personne aveugle dans un bâtiment avec une simple caméra : il recon
     <message>
         <source>Save &amp;over it</source>
         <translation>Enregistrer &amp;par-dessus</translation>
+    </message>
+    <message>
+        <source>Floor-plan image</source>
+        <translation>Image du plan</translation>
+    </message>
+    <message>
+        <source>Pictures (%1);;All files (%2)</source>
+        <translation>Images (%1);;Tous les fichiers (%2)</translation>
+    </message>
+    <message>
+        <source>No landmark is seen from %1 % of the floors.</source>
+        <translation>De %1 % des étages, on ne voit aucun repère.</translation>
     </message>
 </context>
 <context>
@@ -2884,6 +3003,79 @@ Guide une personne aveugle dans un bâtiment avec une simple caméra : il recon
 Open one with Ctrl+O.</source>
         <translation>Aucune carte n&apos;est ouverte.
 Ouvrez-en une avec Ctrl+O.</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::MissingDialog</name>
+    <message>
+        <source>&amp;Show on the plan</source>
+        <translation>&amp;Montrer sur le plan</translation>
+    </message>
+    <message>
+        <source>Missing routes</source>
+        <translation>Itinéraires manquants</translation>
+    </message>
+    <message>
+        <source>Looking for the way between all places…</source>
+        <translation>Recherche du chemin entre tous les lieux…</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>De</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>À</translation>
+    </message>
+    <message>
+        <source>Missing</source>
+        <translation>Manque</translation>
+    </message>
+    <message>
+        <source>Why</source>
+        <translation>Pourquoi</translation>
+    </message>
+    <message>
+        <source>Places between which no route leads; Enter shows the chosen one on the plan</source>
+        <translation>Lieux qu'aucun itinéraire ne relie ; Entrée montre celui qui est choisi sur le plan</translation>
+    </message>
+    <message>
+        <source>Show on the plan</source>
+        <translation>Montrer sur le plan</translation>
+    </message>
+    <message>
+        <source>Choose both places on the Map page, and see them on the plan</source>
+        <translation>Choisir les deux lieux sur la page Carte, et les voir sur le plan</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 and %n more place(s)</source>
+        <translation>
+            <numerusform>%1 et %n lieu de plus</numerusform>
+            <numerusform>%1 et %n lieux de plus</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>From every place there is a route to every other one (%1 pairs of places).</source>
+        <translation>De chaque lieu, un itinéraire mène à tous les autres (%1 paires de lieux).</translation>
+    </message>
+    <message>
+        <source>Of %1 pairs of places, %2 have no route.</source>
+        <translation>Sur %1 paires de lieux, %2 n'ont pas d'itinéraire.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more line(s) are not listed: mend these first.</source>
+        <translation>
+            <numerusform>%n ligne de plus n'est pas montrée : corrigez d'abord celles-ci.</numerusform>
+            <numerusform>%n lignes de plus ne sont pas montrées : corrigez d'abord celles-ci.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>both ways</source>
+        <translation>dans les deux sens</translation>
+    </message>
+    <message>
+        <source>this way</source>
+        <translation>dans ce sens</translation>
     </message>
 </context>
 <context>
@@ -4320,6 +4512,18 @@ Ouvrez-en une avec Ctrl+O.</translation>
     <message>
         <source>Legend: %1</source>
         <translation>Légende : %1</translation>
+    </message>
+    <message>
+        <source>sees no landmark</source>
+        <translation>n'en voit aucun</translation>
+    </message>
+    <message>
+        <source>sees one</source>
+        <translation>voit un repère</translation>
+    </message>
+    <message>
+        <source>sees several</source>
+        <translation>en voit plusieurs</translation>
     </message>
 </context>
 <context>
@@ -6759,7 +6963,7 @@ Allumez la caméra, ou choisissez des images ou un enregistrement.</translation>
     <name>farol::ui::UtteranceLog</name>
     <message>
         <source>What is said cannot be written to %1: %2. Choose another file.</source>
-        <translation>Ce qui est dit ne peut pas être écrit dans %1 : %2. Choisissez un autre fichier.</translation>
+        <translation>Ce qui est dit ne peut pas être écrit dans %1 : %2. Choisissez un autre fichier.</translation>
     </message>
 </context>
 <context>

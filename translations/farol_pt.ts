@@ -722,6 +722,73 @@
     </message>
 </context>
 <context>
+    <name>farol::ui::FloorPictures</name>
+    <message>
+        <source>The image lies where its file says.</source>
+        <translation>A imagem está onde o seu ficheiro indica.</translation>
+    </message>
+    <message>
+        <source>Now click where this point belongs on the map. Escape gives up.</source>
+        <translation>Clique agora onde este ponto fica no mapa. Escape desiste.</translation>
+    </message>
+    <message>
+        <source>Click a point of the image that you know on the map, a corner of the house, say. Escape leaves the image where it is.</source>
+        <translation>Clique num ponto da imagem que conhece no mapa, um canto da casa, por exemplo. Escape deixa a imagem onde está.</translation>
+    </message>
+    <message>
+        <source>Click a second point of the image, far from the first.</source>
+        <translation>Clique num segundo ponto da imagem, longe do primeiro.</translation>
+    </message>
+    <message>
+        <source>Placed. A third point straightens a skewed image; Escape ends.</source>
+        <translation>Colocada. Um terceiro ponto endireita uma imagem torta; Escape termina.</translation>
+    </message>
+    <message>
+        <source>That is beside the image. Click a point of the image.</source>
+        <translation>Isso fica fora da imagem. Clique num ponto da imagem.</translation>
+    </message>
+    <message>
+        <source>These points lie too near each other, or on one line. Click another one.</source>
+        <translation>Estes pontos estão demasiado perto uns dos outros, ou numa só linha. Clique noutro.</translation>
+    </message>
+    <message>
+        <source>The image is placed by three points.</source>
+        <translation>A imagem está colocada por três pontos.</translation>
+    </message>
+    <message>
+        <source>How strong the floor-plan image is</source>
+        <translation>Com que força se vê a imagem da planta</translation>
+    </message>
+    <message>
+        <source>Place by p&amp;oints</source>
+        <translation>Colocar por p&amp;ontos</translation>
+    </message>
+    <message>
+        <source>Place the image by points</source>
+        <translation>Colocar a imagem por pontos</translation>
+    </message>
+    <message>
+        <source>Click two or three points of the image and where they belong on the map</source>
+        <translation>Clicar em dois ou três pontos da imagem e onde eles ficam no mapa</translation>
+    </message>
+    <message>
+        <source>Take a&amp;way</source>
+        <translation>Retira&amp;r</translation>
+    </message>
+    <message>
+        <source>Take the image away</source>
+        <translation>Retirar a imagem</translation>
+    </message>
+    <message>
+        <source>The floor shows no image any more; its file stays</source>
+        <translation>O piso deixa de mostrar a imagem; o ficheiro fica</translation>
+    </message>
+    <message>
+        <source>Ima&amp;ge:</source>
+        <translation>Ima&amp;gem:</translation>
+    </message>
+</context>
+<context>
     <name>farol::ui::FramePanel</name>
     <message>
         <source>What the camera sees</source>
@@ -916,6 +983,10 @@ Abra uma câmara, um vídeo ou uma pasta de imagens e depois prima Reproduzir.</
     <message>
         <source>Ctrl+P chooses a camera, a video or a folder of pictures, and Ctrl+G where to go.</source>
         <translation>Ctrl+P escolhe uma câmara, um vídeo ou uma pasta de imagens, e Ctrl+G o destino.</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+U marks from where no landmark is seen, and Ctrl+Shift+N lists the routes that are missing. Ctrl+Shift+I lays the image of a floor plan under the floor: click two points of it and where they belong.</source>
+        <translation>Ctrl+Shift+U marca de onde não se vê nenhum ponto de referência, e Ctrl+Shift+N lista os caminhos que faltam. Ctrl+Shift+I põe a imagem de uma planta sob o piso: clique em dois pontos dela e onde eles ficam.</translation>
     </message>
 </context>
 <context>
@@ -2592,6 +2663,42 @@ Guia uma pessoa cega por um edifício com uma câmara comum: reconhece o que lhe
         <source>Use the saved map on the Walk page</source>
         <translation>Usar o mapa guardado na página do percurso</translation>
     </message>
+    <message>
+        <source>Where landmarks are see&amp;n</source>
+        <translation>O&amp;nde se veem pontos de referência</translation>
+    </message>
+    <message>
+        <source>Seen</source>
+        <translation>Visíveis</translation>
+    </message>
+    <message>
+        <source>Mark from where landmarks can be seen, and from where none can</source>
+        <translation>Marcar de onde se veem pontos de referência, e de onde não se vê nenhum</translation>
+    </message>
+    <message>
+        <source>&amp;Missing routes…</source>
+        <translation>Caminhos em &amp;falta…</translation>
+    </message>
+    <message>
+        <source>Missing routes</source>
+        <translation>Caminhos em falta</translation>
+    </message>
+    <message>
+        <source>List the places between which no route leads, and why</source>
+        <translation>Listar os locais entre os quais não há caminho, e porquê</translation>
+    </message>
+    <message>
+        <source>Floor-plan ima&amp;ge…</source>
+        <translation>Ima&amp;gem da planta…</translation>
+    </message>
+    <message>
+        <source>Image</source>
+        <translation>Imagem</translation>
+    </message>
+    <message>
+        <source>Lay the image of a floor plan under the floor that is shown</source>
+        <translation>Pôr a imagem de uma planta sob o piso que se vê</translation>
+    </message>
 </context>
 <context>
     <name>farol::ui::MapDocument</name>
@@ -2778,6 +2885,18 @@ Guia uma pessoa cega por um edifício com uma câmara comum: reconhece o que lhe
         <source>Save &amp;over it</source>
         <translation>Guardar por &amp;cima</translation>
     </message>
+    <message>
+        <source>Floor-plan image</source>
+        <translation>Imagem da planta</translation>
+    </message>
+    <message>
+        <source>Pictures (%1);;All files (%2)</source>
+        <translation>Imagens (%1);;Todos os ficheiros (%2)</translation>
+    </message>
+    <message>
+        <source>No landmark is seen from %1 % of the floors.</source>
+        <translation>De %1 % dos pisos não se vê nenhum ponto de referência.</translation>
+    </message>
 </context>
 <context>
     <name>farol::ui::MapPanel</name>
@@ -2884,6 +3003,79 @@ Abra um com Ctrl+O.</translation>
     <message>
         <source>More likely</source>
         <translation>Mais provável</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::MissingDialog</name>
+    <message>
+        <source>&amp;Show on the plan</source>
+        <translation>&amp;Mostrar na planta</translation>
+    </message>
+    <message>
+        <source>Missing routes</source>
+        <translation>Caminhos em falta</translation>
+    </message>
+    <message>
+        <source>Looking for the way between all places…</source>
+        <translation>À procura do caminho entre todos os locais…</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>De</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Para</translation>
+    </message>
+    <message>
+        <source>Missing</source>
+        <translation>Falta</translation>
+    </message>
+    <message>
+        <source>Why</source>
+        <translation>Porquê</translation>
+    </message>
+    <message>
+        <source>Places between which no route leads; Enter shows the chosen one on the plan</source>
+        <translation>Locais entre os quais não há caminho; Enter mostra o escolhido na planta</translation>
+    </message>
+    <message>
+        <source>Show on the plan</source>
+        <translation>Mostrar na planta</translation>
+    </message>
+    <message>
+        <source>Choose both places on the Map page, and see them on the plan</source>
+        <translation>Escolher os dois locais na página Mapa, e vê-los na planta</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 and %n more place(s)</source>
+        <translation>
+            <numerusform>%1 e mais %n local</numerusform>
+            <numerusform>%1 e mais %n locais</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>From every place there is a route to every other one (%1 pairs of places).</source>
+        <translation>De cada local há um caminho para todos os outros (%1 pares de locais).</translation>
+    </message>
+    <message>
+        <source>Of %1 pairs of places, %2 have no route.</source>
+        <translation>De %1 pares de locais, %2 não têm caminho.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more line(s) are not listed: mend these first.</source>
+        <translation>
+            <numerusform>Há mais %n linha por listar: corrija primeiro estas.</numerusform>
+            <numerusform>Há mais %n linhas por listar: corrija primeiro estas.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>both ways</source>
+        <translation>nos dois sentidos</translation>
+    </message>
+    <message>
+        <source>this way</source>
+        <translation>neste sentido</translation>
     </message>
 </context>
 <context>
@@ -4320,6 +4512,18 @@ Abra um com Ctrl+O.</translation>
     <message>
         <source>Legend: %1</source>
         <translation>Legenda: %1</translation>
+    </message>
+    <message>
+        <source>sees no landmark</source>
+        <translation>não vê nenhum</translation>
+    </message>
+    <message>
+        <source>sees one</source>
+        <translation>vê um ponto de referência</translation>
+    </message>
+    <message>
+        <source>sees several</source>
+        <translation>vê vários</translation>
     </message>
 </context>
 <context>

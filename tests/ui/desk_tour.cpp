@@ -5,8 +5,10 @@
 #include "tests/recognition/drawn_pictures.h"
 #include "ui/convert/convert.h"
 #include "ui/curation/feature_dialogs.h"
+#include "ui/curation/floor_pictures.h"
 #include "ui/curation/import_dialog.h"
 #include "ui/curation/map_actions.h"
+#include "ui/curation/missing_dialog.h"
 #include "ui/curation/plan_panel.h"
 #include "ui/curation/report_panel.h"
 #include "ui/curation/route_panel.h"
@@ -193,6 +195,16 @@ void DeskTour::mapPage() {
     }
     page.actions().ambiguity->setChecked(true);
     await([&] { return page.settled(); }, "the marks do not come");
+    page.actions().ambiguity->setChecked(false);
+    page.actions().coverage->setChecked(true);
+    QImage picture(260, 120, QImage::Format_RGB32);
+    picture.fill(QColor(120, 160, 90));
+    picture.save(file("floor.png"));
+    page.pictures().load(file("floor.png"));
+    await([&] { return page.settled() && page.pictures().placing(); }, "the image does not come");
+    stop(*m_window, QStringLiteral("map-layers"));
+    page.pictures().remove();
+    page.actions().coverage->setChecked(false);
     page.tabs().setCurrentWidget(&page.report());
     page.report().showNext();
     stop(*m_window, QStringLiteral("map-check"));
@@ -304,6 +316,13 @@ void DeskTour::dialogs() {
             m_folder.path(),
             QList<std::pair<QString, QString>>{{QStringLiteral("voting"), QStringLiteral("Voting")}}),
         QStringLiteral("work-out-anew"));
+    building::BuildingData apart = house();
+    apart.accesses[1].closed = true;
+    apart.accesses[3].oneWay = building::OneWay::AToB;
+    auto missing = std::make_unique<MissingDialog>(std::make_shared<const building::Building>(apart),
+                                                   routing::RouteOptions());
+    await([&] { return missing->done(); }, "the report of missing routes does not come");
+    see(std::move(missing), QStringLiteral("missing-routes"));
     see(std::make_unique<ImportDialog>(m_folder.path()), QStringLiteral("import"));
     see(std::make_unique<RegionDialog>(building->regions().front()), QStringLiteral("change-region"));
     see(std::make_unique<AccessDialog>(building, building->accesses().front()),

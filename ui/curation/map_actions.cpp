@@ -36,6 +36,9 @@ MapActions::MapActions(QWidget& page, QUndoStack& steps)
     check = add({Qt::Key_F7});
     nextFeature = add({Qt::Key_F4});
     ambiguity = add({Qt::CTRL | Qt::Key_U}, true);
+    coverage = add({Qt::CTRL | Qt::SHIFT | Qt::Key_U}, true);
+    missing = add({Qt::CTRL | Qt::SHIFT | Qt::Key_N});
+    picture = add({Qt::CTRL | Qt::SHIFT | Qt::Key_I});
     m_menu->addSeparator();
     walkHere = add();
     m_bar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
@@ -117,6 +120,12 @@ void MapActions::retranslate() {
     name(nextFeature, tr("&Next feature"), tr("Next"), tr("Show the next feature of the chosen finding"));
     name(ambiguity, tr("Places that look ali&ke"), tr("Alike"),
          tr("Mark the places that the landmarks cannot tell apart, and those without any"));
+    name(coverage, tr("Where landmarks are see&n"), tr("Seen"),
+         tr("Mark from where landmarks can be seen, and from where none can"));
+    name(missing, tr("&Missing routes…"), tr("Missing routes"),
+         tr("List the places between which no route leads, and why"));
+    name(picture, tr("Floor-plan ima&ge…"), tr("Image"),
+         tr("Lay the image of a floor plan under the floor that is shown"));
     name(walkHere, tr("&Walk with this map"), tr("Walk"), tr("Use the saved map on the Walk page"));
 }
 

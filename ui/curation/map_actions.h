@@ -20,7 +20,8 @@ public:
 
     QAction *open, *import, *save, *saveAs, *print;
     QAction *undo, *redo, *addLandmark, *addAccess, *edit, *remove;
-    QAction *routeFrom, *routeTo, *find, *check, *nextFeature, *ambiguity, *walkHere;
+    QAction *routeFrom, *routeTo, *find, *check, *nextFeature, *ambiguity, *coverage, *missing, *picture,
+        *walkHere;
 
     QMenu& menu() { return *m_menu; }
     QToolBar& bar() { return *m_bar; }

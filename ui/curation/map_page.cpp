@@ -3,6 +3,7 @@
 #include "core/building/info.h"
 #include "ui/convert/convert.h"
 #include "ui/curation/feature_panel.h"
+#include "ui/curation/floor_pictures.h"
 #include "ui/curation/import_dialog.h"
 #include "ui/curation/map_actions.h"
 #include "ui/curation/plan_panel.h"
@@ -56,6 +57,7 @@ MapPage::MapPage(Settings& settings, QWidget* parent)
     connectEdits();
     connectViews();
     connectOutside();
+    connectLayers();
     setAcceptDrops(true);
     m_halves->setSizes({780, 480});
     m_halves->restoreState(settings.splitter(QStringLiteral("map-halves")));
@@ -87,6 +89,7 @@ void MapPage::build() {
     work->addWidget(m_cancel);
     m_halves = new QSplitter(Qt::Horizontal, this);
     m_plan = new PlanPanel(m_halves);
+    m_pictures = new FloorPictures(*m_plan, m_settings, this);
     m_tabs = new QTabWidget(m_halves);
     m_tabs->setDocumentMode(true);
     m_features = new FeaturePanel(m_tabs);
@@ -128,6 +131,7 @@ void MapPage::connectDocument() {
     });
     connect(&m_document, &MapDocument::saved, this, [this](const QString& path) {
         m_settings.addRecent(RecentKind::Map, path);
+        m_pictures->setName(path);
         m_banners->hide(kFailure);
         m_banners->hide(kImported);
         m_plan->tell(tr("Saved in %1").arg(QDir::toNativeSeparators(path)));
@@ -162,6 +166,7 @@ void MapPage::connectEdits() {
     MapView& view = m_plan->view();
     connect(&view, &MapView::placeWanted, this, &MapPage::placed);
     connect(&view, &MapView::placeGivenUp, this, [this] {
+        m_pictures->endPlacing();
         m_plan->view().setTool(MapView::Tool::Move);
         m_plan->tell({});
     });
@@ -198,7 +203,6 @@ void MapPage::connectViews() {
         m_tabs->setCurrentWidget(m_features);
         m_features->focusSearch();
     });
-    connect(a.ambiguity, &QAction::toggled, this, &MapPage::showAmbiguity);
     const auto routeAt = [this](void (RoutePanel::*set)(const std::optional<RegionId>&)) {
         const auto& hit = m_plan->view().selected();
         const auto region = hit ? regionOf(*hit) : std::nullopt;
@@ -307,7 +311,8 @@ void MapPage::showOpened() {
         m_settings.addRecent(RecentKind::Map, m_document.source());
     }
     m_report->setBusy(false);
-    showAmbiguity(m_actions->ambiguity->isChecked());
+    m_pictures->setMap(building, m_document.path().isEmpty() ? m_document.source() : m_document.path());
+    showLayers();
     refreshActions();
     if (std::exchange(m_placeWhenOpen, false)) startPlacing(true);
 }
@@ -351,11 +356,15 @@ void MapPage::refreshActions() {
     a.nextFeature->setEnabled(open);
     a.find->setEnabled(open);
     a.ambiguity->setEnabled(open);
+    a.coverage->setEnabled(open);
+    a.missing->setEnabled(open);
+    a.picture->setEnabled(open);
     a.walkHere->setEnabled(open);
 }
 
 bool MapPage::settled() const {
-    return m_document.work() == MapDocument::Work::None && !m_route->planning() && !m_marking;
+    return m_document.work() == MapDocument::Work::None && !m_route->planning() && m_marking == 0 &&
+           !m_pictures->busy();
 }
 
 void MapPage::showRoute(const QString& from, const QString& to) {
@@ -395,6 +404,7 @@ void MapPage::retranslate() {
     m_tabs->setToolTip(tr("Parts of the map"));
     m_tabs->tabBar()->setAccessibleName(tr("Parts of the map"));
     m_tabs->tabBar()->setToolTip(tr("Parts of the map"));
+    m_pictures->retranslate();
     m_cancel->setText(tr("Ca&ncel"));
     m_cancel->setToolTip(tr("Give up; the map that was open stays"));
     showWork();
@@ -411,9 +421,12 @@ void MapPage::dragEnterEvent(QDragEnterEvent* event) {
         event->acceptProposedAction();
 }
 
+/// A picture is laid under the floor that is shown; everything else is opened as a map.
 void MapPage::dropEvent(QDropEvent* event) {
     event->acceptProposedAction();
-    open(event->mimeData()->urls().first().toLocalFile());
+    const QString file = event->mimeData()->urls().first().toLocalFile();
+    if (m_document.building() && FloorPictures::isPicture(file)) return m_pictures->load(file);
+    open(file);
 }
 
 } // namespace farol::ui

@@ -22,6 +22,7 @@ namespace farol::ui {
 
 class BannerStack;
 class FeaturePanel;
+class FloorPictures;
 class MapActions;
 class PlanPanel;
 class ReportPanel;
@@ -53,6 +54,7 @@ public:
     ReportPanel& report() { return *m_report; }
     RoutePanel& route() { return *m_route; }
     QTabWidget& tabs() { return *m_tabs; }
+    FloorPictures& pictures() { return *m_pictures; }
     BannerStack& banners() { return *m_banners; }
     QPushButton& cancel() { return *m_cancel; }
     QWidget* firstFocus() const;
@@ -74,6 +76,11 @@ private:
     void connectEdits();
     void connectViews();
     void connectOutside();
+    void connectLayers();
+    void choosePicture();
+    void showCoverage(bool on);
+    void showMissing();
+    void showLayers(); ///< of another map, or of the one that was changed
     void askOvertaken(const QString& path);
     void showOpened();
     void showReplaced();
@@ -107,6 +114,7 @@ private:
     QPushButton* m_cancel;
     QSplitter* m_halves;
     PlanPanel* m_plan;
+    FloorPictures* m_pictures;
     QTabWidget* m_tabs;
     FeaturePanel* m_features;
     ReportPanel* m_report;
@@ -117,7 +125,7 @@ private:
     bool m_placeWhenOpen = false;
     std::function<void()> m_afterSave;
     bool m_linking = false;  ///< table and plan tell each other
-    bool m_marking = false;  ///< the marks are being worked out
+    int m_marking = 0;       ///< layers that are being worked out
     Background m_background; ///< last: its jobs use the rest
 };
 

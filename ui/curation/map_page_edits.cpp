@@ -1,8 +1,8 @@
-#include "core/building/ambiguity.h"
 #include "core/building/edit.h"
 #include "ui/convert/convert.h"
 #include "ui/curation/feature_dialogs.h"
 #include "ui/curation/feature_panel.h"
+#include "ui/curation/floor_pictures.h"
 #include "ui/curation/map_actions.h"
 #include "ui/curation/map_page.h"
 #include "ui/curation/plan_panel.h"
@@ -24,20 +24,6 @@ MapHit::What whatOf(const building::Feature& feature) {
     return static_cast<MapHit::What>(feature.index()); // regions, accesses, landmarks in both
 }
 
-/// The marks of the regions, by their index.
-std::shared_ptr<const std::vector<RegionMark>> ambiguityMarks(const building::Building& building) {
-    const building::Ambiguity found = building::findAmbiguity(building);
-    std::vector<RegionMark> marks(building.regions().size(), RegionMark::None);
-    const auto mark = [&](const RegionId& id, RegionMark as) {
-        if (const auto index = building.regionIndex(id)) marks[*index] = as;
-    };
-    for (const RegionId& id : found.withoutLandmarks) mark(id, RegionMark::NoLandmark);
-    for (const auto& group : found.groups)
-        for (const RegionId& id : group) mark(id, RegionMark::LooksAlike);
-    for (const auto& suggestion : found.suggestions) mark(suggestion.region, RegionMark::LandmarkHelps);
-    return std::make_shared<const std::vector<RegionMark>>(std::move(marks));
-}
-
 } // namespace
 
 /// Plan, table, report and route follow a change; what was changed is chosen.
@@ -54,7 +40,7 @@ void MapPage::showEdited(const building::Edit& edit) {
         m_plan->view().select(hit, true);
         m_features->select(hit);
     }
-    if (m_actions->ambiguity->isChecked()) showAmbiguity(true);
+    showLayers();
     refreshActions();
 }
 
@@ -68,6 +54,7 @@ void MapPage::placeLandmark(const building::Landmark& like) {
 }
 
 void MapPage::startPlacing(bool landmark) {
+    m_pictures->endPlacing();
     m_placeLandmark = landmark;
     MapView& view = m_plan->view();
     view.setTool(MapView::Tool::Place);
@@ -79,6 +66,7 @@ void MapPage::startPlacing(bool landmark) {
 }
 
 void MapPage::placed(Point2 at) {
+    if (m_pictures->placing()) return m_pictures->placed(at);
     MapView& view = m_plan->view();
     view.setTool(MapView::Tool::Move);
     m_plan->tell({});
@@ -177,18 +165,6 @@ void MapPage::openMenu(const MapHit& /*hit*/, const QPoint& at) {
     menu->addSeparator();
     menu->addActions({m_actions->routeFrom, m_actions->routeTo});
     menu->popup(at);
-}
-
-void MapPage::showAmbiguity(bool on) {
-    if (!on || !m_document.building()) return m_plan->setMarks(nullptr);
-    m_marking = true;
-    m_background.run(
-        [building = m_document.building()] { return ambiguityMarks(*building); },
-        [this, building = m_document.building()](std::shared_ptr<const std::vector<RegionMark>> marks) {
-            m_marking = false;
-            if (building == m_document.building() && m_actions->ambiguity->isChecked())
-                m_plan->setMarks(std::move(marks));
-        });
 }
 
 void MapPage::print() {

@@ -62,7 +62,7 @@ void MapPage::showReplaced() {
     m_features->setLevel(m_plan->view().level());
     m_report->setBuilding(building);
     m_route->setBuilding(building, true);
-    if (m_actions->ambiguity->isChecked()) showAmbiguity(true);
+    showLayers();
     refreshActions();
 }
 

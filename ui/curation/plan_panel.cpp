@@ -3,6 +3,7 @@
 #include "ui/convert/convert.h"
 #include "ui/convert/glyphs.h"
 #include "ui/convert/kind_style.h"
+#include "ui/map/coverage.h"
 #include "ui/map/map_colours.h"
 #include "ui/models/words.h"
 #include "ui/parts/tables.h"
@@ -39,6 +40,12 @@ void PlanLegend::setMarks(std::vector<RegionMark> marks) {
     refresh();
 }
 
+void PlanLegend::setCoverage(bool shown) {
+    if (shown == m_coverage) return;
+    m_coverage = shown;
+    refresh();
+}
+
 QString PlanLegend::markWords(RegionMark mark) {
     switch (mark) {
     case RegionMark::NoLandmark:
@@ -64,6 +71,10 @@ std::vector<PlanLegend::Entry> PlanLegend::entries() const {
         const RegionMarkStyle style = regionMarkStyle(mark, colours.dark);
         all.push_back({markWords(mark), style.colour, style.pattern});
     }
+    if (!m_coverage) return all;
+    all.push_back({tr("sees no landmark"), coverageColour(0, colours.dark), Qt::FDiagPattern});
+    all.push_back({tr("sees one"), coverageColour(1, colours.dark), Qt::SolidPattern});
+    all.push_back({tr("sees several"), coverageColour(2, colours.dark), Qt::SolidPattern});
     return all;
 }
 
@@ -192,6 +203,18 @@ void PlanPanel::setMarks(std::shared_ptr<const std::vector<RegionMark>> marks) {
     if (overlay.marks) found.insert(overlay.marks->begin(), overlay.marks->end());
     found.erase(RegionMark::None);
     m_legend->setMarks({found.begin(), found.end()});
+}
+
+void PlanPanel::setCoverage(std::shared_ptr<const CoverageLayer> coverage) {
+    MapOverlay overlay = m_view->overlay();
+    overlay.coverage = std::move(coverage);
+    m_view->setOverlay(overlay);
+    m_legend->setCoverage(overlay.coverage != nullptr);
+}
+
+void PlanPanel::addBelow(QWidget* widget) {
+    auto* column = static_cast<QVBoxLayout*>(layout());
+    column->insertWidget(column->indexOf(m_legend), widget);
 }
 
 void PlanPanel::fillLevels() {

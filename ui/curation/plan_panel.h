@@ -23,6 +23,7 @@ public:
 
     void setKinds(std::vector<building::RegionKind> kinds);
     void setMarks(std::vector<RegionMark> marks);
+    void setCoverage(bool shown);
     static QString markWords(RegionMark mark);
     bool hasHeightForWidth() const override { return true; }
     int heightForWidth(int width) const override;
@@ -44,6 +45,7 @@ private:
 
     std::vector<building::RegionKind> m_kinds;
     std::vector<RegionMark> m_marks;
+    bool m_coverage = false;
 };
 
 class PlanPanel : public QWidget {
@@ -61,6 +63,9 @@ public:
     QString whatText() const;
     /// Words that stand below the plan until the next choice.
     void tell(const QString& words);
+    /// A widget between the plan and its legend.
+    void addBelow(QWidget* widget);
+    void setCoverage(std::shared_ptr<const CoverageLayer> coverage);
 
 protected:
     void changeEvent(QEvent* event) override;

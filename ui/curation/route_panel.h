@@ -38,6 +38,7 @@ public:
     QTableView& table() { return *m_table; }
     QCheckBox& avoidStairs() { return *m_stairs; }
     const RouteModel& model() const { return m_model; }
+    routing::RouteOptions options() const; ///< what is to be avoided
     QString summary() const;
     bool planning() const { return m_planning; }
 
@@ -50,7 +51,6 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
-    routing::RouteOptions options() const;
     void plan();
     void planned(const std::shared_ptr<const building::Building>& building, Result<routing::Route> result);
     void retranslate();

@@ -80,6 +80,10 @@ void HelpDialog::showChapter(int chapter) {
         item("check", tr("F7 looks for what is wrong with the map and says what to do about each finding."));
         item("alike",
              tr("Ctrl+U marks places that the landmarks cannot tell apart. A landmark there helps most."));
+        plain(tr(
+            "Ctrl+Shift+U marks from where no landmark is seen, and Ctrl+Shift+N lists the routes that are "
+            "missing. Ctrl+Shift+I lays the image of a floor plan under the floor: click two points of it "
+            "and where they belong."));
         item("here", tr("Ctrl+Shift+L puts a landmark on the plan, Ctrl+Shift+D a door. Drag what is chosen, "
                         "or move it with Alt and the arrows."));
         item("undo", tr("Ctrl+Z takes every step back. Nothing is written until you save with Ctrl+S."));

@@ -11,6 +11,9 @@
 
 namespace farol::ui {
 
+struct CoverageLayer;
+struct FloorPicture;
+
 /// What a region is marked as, apart from votes. Drawn as hatching, so that colour never stands alone.
 enum class RegionMark : std::uint8_t { None, NoLandmark, LooksAlike, LandmarkHelps, CutOff };
 
@@ -29,8 +32,10 @@ struct MapOverlay {
     std::optional<RegionId> destination;
     std::optional<RegionId> start;
     std::optional<TruePlace> truth;
-    std::shared_ptr<const std::vector<RegionMark>> marks; ///< by index of the region; null: none
-    double sureConfidence = 0.5;                          ///< from here on a place counts as sure
+    std::shared_ptr<const std::vector<RegionMark>> marks;      ///< by index of the region; null: none
+    std::shared_ptr<const CoverageLayer> coverage;             ///< null: none
+    std::vector<std::shared_ptr<const FloorPicture>> pictures; ///< under the map, each on its level
+    double sureConfidence = 0.5;                               ///< from here on a place counts as sure
 
     /// 0 to 1: the share of the best vote; 0 for a region without one.
     double heatOf(const RegionId& region) const;

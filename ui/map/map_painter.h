@@ -19,7 +19,8 @@ public:
     MapPainter(const MapScene& scene, double level, const ViewTransform& view, const MapColours& colours,
                QFont font, MapStyle style = {});
 
-    void paintGround(QPainter& painter) const; ///< floors
+    void paintGround(QPainter& painter) const;                              ///< floors
+    void paintPictures(QPainter& painter, const MapOverlay& overlay) const; ///< of the floor, under the map
     void paintTint(QPainter& painter, const MapOverlay& overlay) const;
     void paintFurnishing(QPainter& painter) const; ///< borders, walls, accesses, landmarks
     void paintRoute(QPainter& painter, const MapOverlay& overlay) const;
@@ -34,6 +35,7 @@ public:
     void paintMoving(QPainter& painter, const MapHit& hit, Point2 by) const;
 
 private:
+    void paintCoverage(QPainter& painter, const CoverageLayer& layer) const;
     void paintMarked(QPainter& painter, const std::vector<RegionMark>& marks) const;
     void paintAccess(QPainter& painter, const AccessShape& shape) const;
     void paintLandmark(QPainter& painter, const building::Landmark& landmark) const;

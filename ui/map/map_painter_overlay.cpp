@@ -1,6 +1,8 @@
 #include "ui/convert/convert.h"
 #include "ui/convert/glyphs.h"
 #include "ui/convert/kind_style.h"
+#include "ui/map/coverage.h"
+#include "ui/map/floor_picture.h"
 #include "ui/map/map_painter.h"
 
 #include <QFontMetricsF>
@@ -36,10 +38,39 @@ double roundMetres(double most) {
 
 } // namespace
 
+void MapPainter::paintPictures(QPainter& painter, const MapOverlay& overlay) const {
+    if (!m_level) return;
+    for (const auto& picture : overlay.pictures) {
+        if (picture->level != m_level->ordinal) continue;
+        painter.save();
+        painter.setRenderHint(QPainter::SmoothPixmapTransform);
+        painter.setOpacity(picture->opacity);
+        painter.setTransform(picture->toMap * m_view.painterTransform(), true);
+        painter.drawImage(QPointF(), picture->image);
+        painter.restore();
+    }
+}
+
+void MapPainter::paintCoverage(QPainter& painter, const CoverageLayer& layer) const {
+    const auto& levels = layer.coverage.levels;
+    for (std::size_t i = 0; i < levels.size(); ++i) {
+        if (levels[i].level != m_level->ordinal || levels[i].columns == 0) continue;
+        const double cell = levels[i].cellM;
+        const Point2 north = levels[i].corner + Point2{0.0, levels[i].rows * cell};
+        const Point2 east = levels[i].corner + Point2{levels[i].columns * cell, 0.0};
+        painter.save();
+        painter.setRenderHint(QPainter::SmoothPixmapTransform, false);
+        painter.drawImage(QRectF(screen(north), screen(east)),
+                          m_colours.dark ? layer.dark[i] : layer.light[i]);
+        painter.restore();
+    }
+}
+
 void MapPainter::paintTint(QPainter& painter, const MapOverlay& overlay) const {
     if (!m_level) return;
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(Qt::NoPen);
+    if (overlay.coverage) paintCoverage(painter, *overlay.coverage);
     if (overlay.marks) paintMarked(painter, *overlay.marks);
     if (!overlay.fix) return;
     std::vector<std::pair<const RegionShape*, double>> tinted;

@@ -208,6 +208,7 @@ void MapView::paintMap(QPainter& painter) {
     const bool usable = m_pictureVersion != 0 && m_pictureLevel == m_level;
     painter.fillRect(rect(), colours.outside);
     if (usable) paintPicture(painter, m_ground);
+    map.paintPictures(painter, m_overlay);
     map.paintTint(painter, m_overlay);
     if (usable) paintPicture(painter, m_furnishing);
     map.paintRoute(painter, m_overlay);

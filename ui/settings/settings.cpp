@@ -2,6 +2,7 @@
 
 #include "ui/settings/option_fields.h"
 
+#include <QCryptographicHash>
 #include <QDir>
 #include <QFileInfo>
 #include <QStandardPaths>
@@ -345,6 +346,25 @@ QByteArray Settings::splitter(const QString& name) const {
 
 void Settings::setSplitter(const QString& name, const QByteArray& state) {
     store(QStringLiteral("window/splitter-") + name, state);
+}
+
+namespace {
+
+/// A path is no good key: its slashes make groups.
+QString keyOfPictures(const QString& map) {
+    const QByteArray hash =
+        QCryptographicHash::hash(QFileInfo(map).absoluteFilePath().toUtf8(), QCryptographicHash::Sha1);
+    return QStringLiteral("floor-images/") + QString::fromLatin1(hash.toHex());
+}
+
+} // namespace
+
+QByteArray Settings::floorPictures(const QString& map) const {
+    return m_store->value(keyOfPictures(map)).toByteArray();
+}
+
+void Settings::setFloorPictures(const QString& map, const QByteArray& pictures) {
+    store(keyOfPictures(map), pictures);
 }
 
 } // namespace farol::ui

@@ -96,6 +96,9 @@ public:
     void setWindowGeometry(const QByteArray& geometry);
     QByteArray splitter(const QString& name) const;
     void setSplitter(const QString& name, const QByteArray& state);
+    /// The floor-plan images of a map, by the map's file, as FloorPictures writes them.
+    QByteArray floorPictures(const QString& map) const;
+    void setFloorPictures(const QString& map, const QByteArray& pictures);
     void sync() { m_store->sync(); }
 
 Q_SIGNALS:

@@ -80,7 +80,9 @@ void Kiosk::connectWalk() {
         if (step.fix.region == m_region) return;
         m_region = step.fix.region;
         m_machine.setRegion(m_region);
-        if (m_region) remember();
+        if (!m_region) return;
+        m_lastRegion = m_region;
+        remember();
     });
 }
 
@@ -240,6 +242,7 @@ void Kiosk::mapCame() {
     if (left && left->map == m_walk.mapName()) {
         const auto region =
             left->region.isEmpty() ? std::nullopt : std::optional(RegionId(toUtf8(left->region)));
+        m_lastRegion = region; // should it crash again before it knows better
         m_machine.setWish(RegionId(toUtf8(left->destination)), true, region);
     } else if (const auto to = look(m_start.to)) {
         m_machine.setWish(*to, false, std::nullopt);
@@ -295,8 +298,8 @@ void Kiosk::setDetail(const QString& detail) {
 void Kiosk::remember() {
     const std::optional<RegionId>& destination = m_machine.destination();
     if (!destination || m_leaving || m_closed) return;
-    const bool kept = m_memory.save(
-        {m_walk.mapName(), toQString(destination->value), m_region ? toQString(m_region->value) : QString()});
+    const bool kept = m_memory.save({m_walk.mapName(), toQString(destination->value),
+                                     m_lastRegion ? toQString(m_lastRegion->value) : QString()});
     if (!kept) memoryTrouble();
 }
 

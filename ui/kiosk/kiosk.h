@@ -92,6 +92,7 @@ private:
     QString m_detail, m_voiceDetail;
     QString m_unheard; ///< was shown last, for want of a voice
     std::optional<RegionId> m_region;
+    std::optional<RegionId> m_lastRegion; ///< known last, before a crash too
     bool m_sourceBroken = false, m_leaving = false, m_closed = false;
     bool m_mapChanged = false; ///< the new one waits for the end of the way
     bool m_memoryTold = false;

@@ -186,7 +186,8 @@ Cue CueStep::answerNext() const {
     fillManoeuvre(cue, *m_progress.next, m_progress.afterNext);
     countDoors(*cue.manoeuvre);
     cue.facingWay = facesWay();
-    if (!isNear && cue.facingWay) cue.mark = mark(*m_progress.next);
+    orient(cue);
+    if (!isNear && cue.facingWay && !cue.turnFirst) cue.mark = mark(*m_progress.next);
     return cue;
 }
 

@@ -36,7 +36,6 @@ constexpr double kCountingM = 4.0;
 constexpr double kBesideM = 1.8; ///< a way too short to walk along a wall
 constexpr double kJustEnteredSeconds = 2.0;
 constexpr double kStraightM = 0.5;
-constexpr Radians kGoodFacing = fromDegrees(25.0);
 /// What follows within this distance is told in the same breath.
 constexpr double kCompoundM = 4.0;
 /// The length of the way is told although the spot in the start region is unknown once it is longer than
@@ -50,12 +49,8 @@ constexpr double kStandingSeconds = 4.0; ///< in which nobody who walks is not h
 
 constexpr double kActSeconds = 4.0, kPrepareSeconds = 6.0, kStartSeconds = 15.0, kReassureSeconds = 4.0,
                  kArrivalSeconds = 20.0, kOffRouteSeconds = 8.0, kRefusalSeconds = 20.0;
-/// The first point of a way that is this far off tells in which direction it begins.
-constexpr double kFacingM = 1.0;
 /// Below, the user faces the way well enough to just walk.
 constexpr Radians kTurnFirst = fromDegrees(60.0);
-/// So near to what one came through by mistake one has not turned yet.
-constexpr double kBackM = 3.0;
 /// Who has been told nothing since a place was entered, and does not get on, waits for a word; who does not
 /// get on is told again, less and less often.
 constexpr double kUntoldSeconds = 5.0, kSeldomSeconds = 60.0;
@@ -154,60 +149,9 @@ bool CueStep::distanceIsGood() const {
            std::hypot(m_fix.sigmaM, kWalkingSpeed * age()) <= m_options.maxSigmaForDistanceM;
 }
 
-/// Only from a measured way of walking, while the user follows the route, and only when what is ahead is far
-/// enough away for its direction to mean something.
-std::optional<int> CueStep::hourTo(const Manoeuvre& manoeuvre) const {
-    bool along = m_memory.advance && m_memory.advance->along;
-    if (!m_sure || !along || !m_fix.heading || !m_fix.position || age() > kFreshSeconds) return std::nullopt;
-    if (!m_fix.level || *m_fix.level != manoeuvre.level) return std::nullopt;
-    Point2 ahead = manoeuvre.position - *m_fix.position;
-    if (length(ahead) < 2.0 * m_fix.sigmaM || length(ahead) < 1.0) return std::nullopt;
-    return clockHour(directionOf(ahead) - *m_fix.heading);
-}
-
-/// Only a trained place tells which way one faces, and walking the wrong way does; the way of walking from
-/// two rough positions is no ground for an order to turn.
-std::optional<Radians> CueStep::facing() const {
-    if (!m_usable || age() > kFreshSeconds) return std::nullopt;
-    if (m_progress.walking) return m_progress.walking;
-    const building::Landmark* seen = m_building.landmark(m_fix.landmark);
-    if (seen == nullptr || seen->kind != Kind::Place) return std::nullopt;
-    return m_fix.heading;
-}
-
-/// How far the user has to turn to face the way that begins here.
-std::optional<Radians> CueStep::turnFirst() const {
-    // Who has just come through a door has it behind.
-    bool behind = m_progress.backAgain && m_sure && age() <= kFreshSeconds && m_progress.distanceM &&
-                  *m_progress.distanceM <= kBackM && m_fix.sigmaM <= m_options.maxSigmaForActM;
-    if (behind) return Radians{kPi};
-    std::optional<Radians> now = facing();
-    if (!now || !m_fix.position || !m_progress.route) return std::nullopt;
-    const std::vector<routing::PathPoint>& path = m_progress.route->path;
-    for (const routing::PathPoint& point : path) {
-        if (point.level != path.front().level || point.level != m_fix.level) return std::nullopt;
-        Point2 ahead = point.position - path.front().position;
-        if (length(ahead) < kFacingM) continue;
-        Radians turn = wrapped(directionOf(ahead) - *now);
-        return std::abs(turn.value) >= kTurnFirst.value ? std::optional(turn) : std::nullopt;
-    }
-    return std::nullopt;
-}
-
 bool CueStep::placeIsGood() const {
     return m_sure && m_fix.position &&
            std::hypot(m_fix.sigmaM, kWalkingSpeed * age()) <= m_options.maxSigmaForDistanceM;
-}
-
-/// Which side is left is known of somebody who walks along the way, or has just come through its last door.
-bool CueStep::facesWay() const {
-    if (m_memory.facesWay && m_memory.version == m_progress.routeVersion) return true;
-    if (facing()) return true; // turnFirst() says the rest
-    bool moving = m_progress.replanned && m_fix.heading && m_fix.headingSigma.value > 0.0 &&
-                  m_fix.headingSigma.value <= kGoodFacing.value && m_fix.position && m_fix.level;
-    if (!moving || age() > kFreshSeconds || !m_progress.route) return false;
-    auto way = wayDirection(*m_progress.route, *m_fix.position, *m_fix.level);
-    return way && std::abs(wrapped(*way - *m_fix.heading).value) < kTurnFirst.value;
 }
 
 /// The number that the route knows counts from where its leg begins; here and now it is another one.
@@ -287,8 +231,10 @@ void CueStep::addManoeuvre(Cue cue, const Manoeuvre& manoeuvre, const std::optio
     fillManoeuvre(cue, manoeuvre, after);
     countDoors(*cue.manoeuvre);
     cue.facingWay = facesWay();
+    orient(cue);
     if (m_building.region(manoeuvre.into) != nullptr) m_memory.announcedInto[manoeuvre.into] = m_fix.time;
     m_memory.told[keyOf(manoeuvre)] = m_fix.time;
+    if (cue.turnFirst) m_memory.turnToldAt = m_fix.time;
     if (cue.kind == CueKind::Prepare || cue.kind == CueKind::Act) m_memory.prepared.insert(keyOf(manoeuvre));
     if (cue.kind == CueKind::Act) m_memory.acted[keyOf(manoeuvre)] = m_fix.time;
     // Stairs and lifts are told once more by themselves, with their steps and the level.
@@ -301,6 +247,7 @@ void CueStep::addManoeuvre(Cue cue, const Manoeuvre& manoeuvre, const std::optio
 }
 
 void CueStep::tellRoute() {
+    followHeading();
     bool newRoute = m_progress.routeVersion != m_memory.version;
     if (newRoute) {
         // Nothing of the old route is left over.
@@ -410,12 +357,12 @@ void CueStep::followAdvance() {
     }
     double remaining = *m_progress.remainingM;
     std::optional<SchedulerMemory::Advance>& last = m_memory.advance;
-    if (!last) last = {m_fix.evidenceTime, remaining, false};
-    if (last->evidenceTime == m_fix.evidenceTime) return;
+    if (!last) last = {spotTime(), remaining, false};
+    if (last->spotTime == spotTime()) return;
     // Steps that are too short to tell are added up.
     double gone = last->remainingM - remaining;
-    bool stands = m_fix.evidenceTime - last->evidenceTime > kStandingSeconds;
-    if (std::abs(gone) >= kAdvanceM || stands) last = {m_fix.evidenceTime, remaining, gone >= kAdvanceM};
+    bool stands = spotTime() - last->spotTime > kStandingSeconds;
+    if (std::abs(gone) >= kAdvanceM || stands) last = {spotTime(), remaining, gone >= kAdvanceM};
     if (last->along) m_memory.facesWay = true;
 }
 
@@ -444,16 +391,16 @@ void CueStep::tellManoeuvre() {
 /// Silence is an answer to nobody who stands and waits.
 void CueStep::tellAgain(const Manoeuvre& next) {
     const auto& advance = m_memory.advance;
-    bool getsOn = advance && advance->along && m_fix.time - advance->evidenceTime <= 2.0 * kStandingSeconds;
+    bool getsOn = advance && advance->along && m_fix.time - advance->spotTime <= 2.0 * kStandingSeconds;
     if (getsOn) m_memory.repeats = 0;
     bool climbs = changesLevel(next.kind) && toldRecently(m_memory.told, keyOf(next), kOnStairsSeconds);
     bool passed = next.kind == ManoeuvreKind::Turn && !m_progress.distanceM; // or will be felt
-    if (getsOn || climbs || passed) return;
+    if ((getsOn && !facesAway()) || climbs || passed) return;
     double wait = std::min(kSeldomSeconds, std::ldexp(m_options.repeatAfterSeconds, m_memory.repeats));
     if (!m_memory.told.contains(keyOf(next))) wait = kUntoldSeconds;
     double since = std::max(m_memory.enteredAt, m_memory.routeToldAt.value_or(m_memory.enteredAt));
-    if (m_fix.time - since < wait) return;
-    ++m_memory.repeats;
+    if (m_fix.time - since < wait && !facesAway()) return;
+    if (!facesAway()) ++m_memory.repeats;
     Cue cue = routeCue(CueKind::Prepare, CuePriority::Prepare, kPrepareSeconds);
     if (distanceIsGood()) cue.distanceM = m_progress.distanceM;
     cue.hour = hourTo(next);
@@ -542,7 +489,7 @@ void CueStep::tellUnmeasured(const Manoeuvre& next) {
     auto told = m_memory.told.find(key);
     if (told != m_memory.told.end()) {
         double since = m_fix.time - std::max(told->second, m_memory.routeToldAt.value_or(told->second));
-        bool isSeen = age() <= kReassureEvidenceSeconds;
+        bool isSeen = unseen() <= kReassureEvidenceSeconds;
         if (since < m_options.repeatAfterSeconds || !isSeen || due->kind == ManoeuvreKind::Turn) return;
         if (leg - walked > m_options.prepareDistanceM) {
             tellReassurance(leg - walked);
@@ -556,7 +503,7 @@ void CueStep::tellUnmeasured(const Manoeuvre& next) {
 }
 
 void CueStep::tellReassurance(double aheadM) {
-    if (aheadM <= m_options.prepareDistanceM + kNoReassuranceM || age() > kReassureEvidenceSeconds) return;
+    if (aheadM <= m_options.prepareDistanceM + kNoReassuranceM || unseen() > kReassureEvidenceSeconds) return;
     bool far = m_memory.remainingWhenTold && m_progress.remainingM &&
                *m_memory.remainingWhenTold - *m_progress.remainingM >= m_options.reassureEveryM;
     bool late = !(m_memory.remainingWhenTold && m_progress.remainingM) && m_memory.routeToldAt &&

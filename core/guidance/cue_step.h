@@ -27,10 +27,17 @@ struct SchedulerMemory {
     std::optional<double> remainingWhenTold; ///< metres to the destination then
     std::optional<double> arrivedToldAt;
     struct Advance {
-        double evidenceTime = 0.0, remainingM = 0.0;
+        double spotTime = 0.0, remainingM = 0.0;
         bool along = false;
     };
     std::optional<Advance> advance;
+    struct Steady {
+        Radians heading;
+        double since = 0.0;
+    };
+    std::optional<Steady> steady;    ///< about that way the user has faced since then
+    std::optional<double> awaySince; ///< faces away from the way since then
+    std::optional<double> turnToldAt;
 
     std::map<RegionId, double> announcedInto; ///< regions named as what comes next -> when
     std::optional<double> offRouteToldAt;
@@ -119,7 +126,18 @@ private:
     std::string keyOf(const routing::Manoeuvre& manoeuvre) const;
     bool toldRecently(const std::map<std::string, double>& times, const std::string& key,
                       double seconds) const;
-    double age() const { return m_fix.time - m_fix.evidenceTime; }
+    /// Of what the fix says of the spot and the way the user faces.
+    double age() const { return m_fix.time - spotTime(); }
+    double spotTime() const { return m_fix.followed ? m_fix.time : m_fix.evidenceTime; }
+    /// Since anything was seen.
+    double unseen() const { return m_fix.time - m_fix.evidenceTime; }
+    bool headingIsGood() const;
+    void followHeading();
+    bool facesAway() const;
+    bool turnsNow() const;
+    std::optional<Radians> throughOf(const routing::Manoeuvre& gap) const;
+    std::optional<Radians> onward(const routing::Manoeuvre& next, bool& along) const;
+    void orient(Cue& cue) const;
     bool distanceIsGood() const;
 
     const building::Building& m_building;

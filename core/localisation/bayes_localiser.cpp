@@ -37,6 +37,7 @@ public:
 
     void start(double time, const std::optional<RegionId>& region) override;
     void setRoute(const RouteContext& route) override;
+    void told(const ToldWay& way) override { m_cloud.told(way); }
     Fix update(double time, std::span<const Observation> fresh,
                const std::deque<Observation>& history) override;
     void moved(double time, const recognition::Motion& motion) override {
@@ -302,6 +303,7 @@ Fix BayesLocaliser::summary(double time) {
     Fix fix;
     fix.time = time;
     fix.evidenceTime = m_evidenceTime;
+    fix.followed = m_options.walking.free;
     std::vector<std::uint32_t> order = m_touched;
     std::sort(order.begin(), order.end(), [this](std::uint32_t a, std::uint32_t b) {
         return m_mass[a] != m_mass[b] ? m_mass[a] > m_mass[b] : a < b;
@@ -411,7 +413,8 @@ Result<void> WalkingOptions::check() const {
         stopRate >= 0.0 && goRate >= 0.0 && strayRate >= 0.0 && returnRate >= 0.0 && straightBack >= 0.0;
     bool sigmas = swaySigmaDeg > 0.0 && turnSigmaDeg >= 0.0 && unknownTurnSigmaDeg >= 0.0;
     bool freely = bodySwayDeg >= 0.0 && swaySeconds > 0.0 && throughUnasked >= 0.0 && alongWallM > 0.0 &&
-                  doorRate >= 0.0 && doorUnasked >= 0.0 && climbRate >= 0.0 && climbUnasked >= 0.0;
+                  otherDoor >= 0.0 && climbUntold >= 0.0 && doorRate >= 0.0 && doorUnasked >= 0.0 &&
+                  climbRate >= 0.0 && climbUnasked >= 0.0;
     if (speeds && rates && sigmas && freely) return {};
     return Error{ErrorCode::InvalidArgument, "rates are not negative, speeds and deviations are above 0",
                  "bayes.walking"};

@@ -37,6 +37,8 @@ struct WalkingOptions {
     double alongWallM = 0.5;     ///< nobody walks into walls for longer
     double doorRate = 1.0, doorUnasked = 0.15;   ///< takes the door at hand, facing it
     double climbRate = 0.3, climbUnasked = 0.03; ///< takes the stairs or the lift at hand
+    double otherDoor = 0.6;                      ///< told of a door, how likely another is taken for it
+    double climbUntold = 0.003;                  ///< climbs who was told of something else
 
     Result<void> check() const;
     /// Of one who obeys what is told, and is not on a way that he knows.

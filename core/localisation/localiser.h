@@ -28,6 +28,9 @@ struct RegionVote {
 struct Fix {
     double time = 0.0;
     double evidenceTime = 0.0; ///< of the last observation it rests on, or of the start
+    /// Position, heading and their deviations are those of `time`, followed since the last observation;
+    /// otherwise they are those of `evidenceTime`.
+    bool followed = false;
     std::optional<RegionId> region;
     double confidence = 0.0;
     std::vector<RegionId> near; ///< region and neighbours that could be it
@@ -53,6 +56,16 @@ struct RouteContext {
     std::optional<building::Location> destination; ///< told by the user, also while no route is known
 };
 
+/// What the user was last told to pass, in order: whoever obeys takes a door where a door was told, the right
+/// one or another, and no stairs. Empty: nothing is to be passed.
+struct ToldWay {
+    struct Passage {
+        building::AccessKind kind = building::AccessKind::Door;
+        double level = 0.0, targetLevel = 0.0; ///< alike where the level does not change
+    };
+    std::vector<Passage> passages;
+};
+
 /// Deterministic: the same calls give the same fixes. One thread.
 class Localiser {
 public:
@@ -61,6 +74,8 @@ public:
     /// Forget everything; `region` empty: an unknown start.
     virtual void start(double time, const std::optional<RegionId>& region) = 0;
     virtual void setRoute(const RouteContext& route) = 0;
+    /// What was just said; holds until the next call.
+    virtual void told(const ToldWay& /*way*/) {}
     /// New, de-duplicated observations (paper: runs when an object was detected) with the history as it is
     /// now. Called once a frame, also with nothing new, so that `time` goes on.
     virtual Fix update(double time, std::span<const Observation> fresh,

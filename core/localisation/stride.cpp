@@ -31,6 +31,22 @@ Spot unit(float degrees) {
 
 } // namespace
 
+/// How likely who is there goes through, against the door that was meant. One who was told of a door cannot
+/// know it from its neighbour.
+float WalkerCloud::doorShare(std::uint32_t node) const {
+    const WalkingOptions& walking = m_options.walking;
+    bool leadsOn = m_map->hasGoal() && m_map->leadsOn(node);
+    if (!m_told) return leadsOn ? 1.0F : static_cast<float>(walking.throughUnasked);
+    if (!m_map->fits(node, *m_told)) return static_cast<float>(walking.throughUnasked);
+    return leadsOn ? 1.0F : static_cast<float>(walking.otherDoor);
+}
+
+double WalkerCloud::climbRate(std::uint32_t node) const {
+    const WalkingOptions& walking = m_options.walking;
+    if (m_told) return m_map->fits(node, *m_told) ? walking.climbRate : walking.climbUntold;
+    return m_map->hasGoal() && m_map->leadsOn(node) ? walking.climbRate : walking.climbUnasked;
+}
+
 /// The next door or opening that the way leads through, if it is near enough: on to its other side.
 bool WalkerCloud::passThrough(Walker& walker, Spot way, float& metres) {
     std::int32_t best = -1;
@@ -61,9 +77,7 @@ bool WalkerCloud::passThrough(Walker& walker, Spot way, float& metres) {
     if (best < 0) return false;
     const WalkingNode& node = m_map->nodes()[static_cast<std::size_t>(best)];
     const WalkingNode& beyond = m_map->nodes()[static_cast<std::size_t>(node.across)];
-    bool asked = m_map->hasGoal() && m_map->leadsOn(static_cast<std::uint32_t>(best));
-    if (!node.isOpening && m_map->hasGoal() && !asked)
-        walker.weight *= static_cast<float>(m_options.walking.throughUnasked);
+    if (!node.isOpening && m_map->hasGoal()) walker.weight *= doorShare(static_cast<std::uint32_t>(best));
     float room = std::max(0.0F, node.halfOpenM - 0.3F), beside = std::clamp(bestBeside, -room, room);
     walker.region = beyond.region;
     Spot at{beyond.at.x + beside * node.sill.x, beyond.at.y + beside * node.sill.y};
@@ -114,9 +128,10 @@ void WalkerCloud::mayTake(Walker& walker, bool moving, float seconds) {
         float reach = node.changesLevel ? kClimbFromM : kAtHandM;
         if (node.across < 0 || gapBetween(walker.at, node.at) > reach) continue;
         bool asked = m_map->hasGoal() && m_map->leadsOn(index);
-        auto rate = static_cast<float>(!node.changesLevel ? (asked ? walking.doorRate : walking.doorUnasked)
-                                       : asked            ? walking.climbRate
-                                                          : walking.climbUnasked);
+        if (m_told) asked = m_map->fits(index, *m_told);
+        double door =
+            asked ? walking.doorRate * (m_told ? double(doorShare(index)) : 1.0) : walking.doorUnasked;
+        auto rate = static_cast<float>(node.changesLevel ? climbRate(index) : door);
         const WalkingNode& beyond = m_map->nodes()[static_cast<std::size_t>(node.across)];
         if (!node.changesLevel) {
             if (!moving || node.isOpening) continue;

@@ -51,6 +51,7 @@ void WalkerCloud::clear(std::uint64_t seed) {
     m_speedSpread = m_options.walking.speedSpread;
     m_motionKnown = false;
     m_watch = 1;
+    m_told.reset();
 }
 
 float WalkerCloud::drawSpeed() {

@@ -56,6 +56,7 @@ public:
     Walker born(const BirthPose& pose, float weight);
     /// Every walker thinks anew about the way: a goal was set or taken away.
     void reconsider();
+    void told(const ToldWay& way) { m_told = way; }
     /// How well the motion fits, in the mean: what it did to the weights beside the things not seen.
     double advance(const MotionSpan& motion, const SensorModel& sensors, double missTrust);
     /// What was seen off the place expected corrects where the walker's camera looks.
@@ -91,6 +92,8 @@ private:
     void roam(Walker& walker, float metres);
     bool passThrough(Walker& walker, Spot way, float& metres);
     void slide(Walker& walker, Spot way, float metres);
+    float doorShare(std::uint32_t node) const;
+    double climbRate(std::uint32_t node) const;
     void mayTake(Walker& walker, bool moving, float seconds);
     void renew(std::size_t first, std::size_t last, std::size_t capacity);
 
@@ -106,7 +109,8 @@ private:
     std::vector<float> m_shares;               ///< of each region; scratch of renew()
     double m_speed = 0.0, m_speedSpread = 0.0; ///< of walkers yet to come: what is known of this user
     bool m_motionKnown = false;
-    std::uint8_t m_watch = 1; ///< the younger
+    std::uint8_t m_watch = 1;      ///< the younger
+    std::optional<ToldWay> m_told; ///< empty: nobody told what is said
 };
 
 float wrappedDeg(float degrees);

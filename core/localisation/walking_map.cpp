@@ -157,6 +157,7 @@ void WalkingMap::addAccess(const Access& access, std::uint32_t a, std::uint32_t 
     if (access.oneWay != building::OneWay::AToB) two.across = first;
     one.changesLevel = two.changesLevel = access.changesLevel();
     one.isLift = two.isLift = access.kind == AccessKind::Elevator;
+    one.kind = two.kind = access.kind;
     one.crossingM = two.crossingM = static_cast<float>(lengthOfCrossing(access));
     Point2 ends = access.line.back() - access.line.front();
     if (double wide = length(ends); wide > 1.2 && !access.changesLevel()) {
@@ -339,6 +340,20 @@ bool WalkingMap::leadsOn(std::uint32_t node) const {
     if (across < 0) return m_toGoal[node] < kUnreachable;
     return m_toGoal[static_cast<std::size_t>(across)] + m_nodes[node].crossingM <= m_toGoal[node] + kSlack &&
            m_toGoal[node] < kUnreachable;
+}
+
+bool WalkingMap::fits(std::uint32_t node, const ToldWay& told) const {
+    const WalkingNode& here = m_nodes[node];
+    if (here.across < 0) return false;
+    auto levelOf = [&](std::uint32_t region) { return m_building->regions()[region].level; };
+    double rises = levelOf(m_nodes[static_cast<std::size_t>(here.across)].region) - levelOf(here.region);
+    for (const ToldWay::Passage& passage : told.passages) {
+        if (passage.kind != here.kind) continue;
+        // In a lift one chooses the level, on stairs only up or down.
+        double wanted = passage.targetLevel - (here.isLift ? levelOf(here.region) : passage.level);
+        if (rises == 0.0 ? wanted == 0.0 : rises * wanted > 0.0) return true;
+    }
+    return false;
 }
 
 void WalkingMap::clearGoal() {

@@ -5,6 +5,7 @@
 
 #include "core/building/building.h"
 #include "core/building/info.h"
+#include "core/localisation/localiser.h"
 
 #include <cstdint>
 #include <memory>
@@ -28,6 +29,7 @@ struct WalkingNode {
     float halfWidthM = 0.0F;  ///< how far beside `at` one may pass
     Spot along;               ///< unit vector of the opening
     bool changesLevel = false, isLift = false;
+    building::AccessKind kind = building::AccessKind::Door;
     bool isOpening = false; ///< nothing to be opened: one comes through without meaning to
     Spot sill;              ///< unit vector along the opening, of a narrow one too; (0, 0): drawn as a point
     Spot out;               ///< unit vector across it, out of the region; (0, 0): not known
@@ -73,6 +75,8 @@ public:
     float toGoal(std::uint32_t node) const { return m_toGoal[node]; }
     /// Does the way to the goal pass on through that node? Else it leads back.
     bool leadsOn(std::uint32_t node) const;
+    /// Could it be meant by that: a door by any door, stairs by any that go that way up or down?
+    bool fits(std::uint32_t node, const ToldWay& told) const;
 
 private:
     /// Most regions are rectangles, if turned: points in them are found and tested without their outline.

@@ -257,6 +257,7 @@ private:
         }
         if (take(text, "Next: ")) {
             std::size_t comma = text.rfind(", your destination");
+            m_heard.task.last = comma != std::string_view::npos || text == "your destination";
             if (comma != std::string_view::npos) text = text.substr(0, comma);
             // What has no name is told as what it is.
             bool named = text != "your destination" && !begins(text, "a ") && text != "outside the building";
@@ -350,6 +351,7 @@ private:
         std::optional<int> hour;
         if (!verb || !takeTask(clause, task, &hour)) return;
         task.into = m_heard.task.into;
+        task.last = m_heard.task.last;
         m_heard.task = task;
         takePair(clause, m_heard.then);
         if (hour) m_heard.hour = hour;

@@ -96,6 +96,8 @@ void takeTasks(const Cue& cue, WalkInstruction& instruction) {
     instruction.task.ahead = gap && first && cue.facingWay && instruction.task.side == routing::Side::None &&
                              (cue.hour ? *cue.hour % 12 == 0 : first->behind.has_value());
     instruction.task.into = cue.intoName;
+    // "Next: your destination"; of two things told at once it is behind the second.
+    instruction.task.last = second && second->kind == ManoeuvreKind::Arrive;
     if (instruction.task.feature == Feature::Elevator) instruction.task.level = cue.levelName;
     instruction.turnFirst = cue.turnFirst;
     if (instruction.turnFirst) instruction.turnFirst = heard(*instruction.turnFirst);
@@ -124,7 +126,7 @@ WalkInstruction instructionOf(const Cue& cue) {
     case CueKind::Prepare:
     case CueKind::Act:
         takeTasks(cue, instruction);
-        instruction.now = cue.kind == CueKind::Act;
+        instruction.now = cue.kind == CueKind::Act && !cue.turnFirst;
         instruction.order = Order::Go;
         break;
     case CueKind::OffRoute:

@@ -21,6 +21,7 @@ struct WalkTask {
     routing::Side side = routing::Side::None;
     bool ahead = false;  ///< of a door or opening: the one in front, not one beside
     int number = 0;      ///< the how-manyeth on that side; 0: not told
+    bool last = false;   ///< behind it is the destination
     std::string level{}; ///< of a lift: what to choose
     std::string into{};  ///< the place it leads to, by name: tells one order from another
 };

@@ -28,8 +28,10 @@ constexpr double kLateOrderS = 25.0, kLateUnnamedS = 4.0;
 /// Told nothing more, one walks on so far and stands; the long silence after which one tries a little
 /// further.
 constexpr double kWalkOnM = 6.0, kPatienceS = 12.0;
+/// Behind the last door one is there.
+constexpr double kInsideM = 1.5;
 /// A distance that was told is trusted this far.
-constexpr double kDistanceTrustM = 2.5;
+constexpr double kDistanceTrustM = 2.5, kDistanceDoubt = 0.2;
 /// Doors may be missed in counting; an order to act is believed over a count that is this much short.
 constexpr int kCountDoubt = 1;
 /// So far a door that is said to be ahead is looked for in front only.
@@ -88,7 +90,7 @@ void WalkMind::go(const WalkInstruction& instruction) {
     if (m_sweep != SweepStep::None) m_sweep = SweepStep::None;
     // An order without the name of a place may be the next one of its kind.
     bool named = !instruction.task.into.empty() && !m_lastDone.into.empty();
-    bool late = m_sinceDone < (named ? kLateOrderS : kLateUnnamedS) &&
+    bool late = !instruction.turnFirst && m_sinceDone < (named ? kLateOrderS : kLateUnnamedS) &&
                 sameTask(instruction.task, m_lastDone) && !instruction.astray;
     if (late) return;
     if (!sameTask(instruction.task, m_task)) {
@@ -311,7 +313,10 @@ bool WalkMind::isDoorOfMine(const Felt& felt) {
     Trail side = wantedSide();
     bool ahead = std::abs(felt.bearing.value) < kBeside;
     bool left = felt.bearing.value > 0.0;
-    if (m_task.ahead && m_legKnown && !ahead && m_searchedM < kAheadM) return false;
+    // What is said to be far off is not the door at hand, and what is ahead is not the one beside.
+    double togo = m_taskM ? *m_taskM - m_toldM : 0.0;
+    if (m_taskM && togo > kDistanceTrustM + kDistanceDoubt * *m_taskM) return false;
+    if (m_task.ahead && m_legKnown && !ahead && m_searchedM < kAheadM + m_taskM.value_or(0.0)) return false;
     if (!m_legKnown) {
         // Along a wall whose doors are counted, but which way? Only an order to act settles it.
         return m_task.side == Side::None || now;
@@ -376,7 +381,8 @@ Wish WalkMind::seek(double seconds, const Touch& touch) {
 
 /// Nothing to look for: on along the way a little, then one stands and waits for a word.
 Wish WalkMind::walkOn(double seconds, const Touch& touch) {
-    bool enough = m_toldM >= kWalkOnM || (!m_legKnown && m_toldM >= 1.0);
+    double onM = m_lastDone.last ? kInsideM : kWalkOnM;
+    bool enough = m_toldM >= onM || (!m_legKnown && m_toldM >= 1.0);
     if (enough) {
         m_silentS += seconds;
         if (m_silentS > 3.0 && m_lookS <= 0.0 && chance(0.2 * seconds)) {
@@ -385,7 +391,7 @@ Wish WalkMind::walkOn(double seconds, const Touch& touch) {
         }
         if (m_silentS > kPatienceS) {
             m_silentS = 0.0;
-            m_toldM = std::max(0.0, kWalkOnM - 4.0);
+            m_toldM = std::max(0.0, onM - 4.0);
             m_legKnown = true;
         }
         return {};

@@ -61,6 +61,21 @@ public:
         m_fix = m_localiser->update(m_time, std::vector{seen}, {});
         return *this;
     }
+    Blind& told(building::AccessKind kind, double targetLevel = 0.0) {
+        m_localiser->told({{{kind, 0.0, targetLevel}}});
+        return *this;
+    }
+    Blind& goal(const std::string& region) {
+        RouteContext route;
+        route.destination = building::Location{RegionId(region), std::nullopt};
+        m_localiser->setRoute(route);
+        return *this;
+    }
+    double share(const std::string& region) const {
+        for (const RegionVote& vote : m_fix.votes)
+            if (vote.region.value == region) return vote.vote;
+        return 0.0;
+    }
     std::string region() const { return m_fix.region ? m_fix.region->value : ""; }
     const Fix& fix() const { return m_fix; }
 
@@ -146,6 +161,45 @@ TEST(GuidedWalk, LettersThatLookAlikeAreReadForOneAnother) {
     Blind person(map.build(), "");
     for (int i = 0; i < 3; ++i) person.see(Kind::Text, "", "FLOOR O", 1.0, 0.0).stand(4.5);
     EXPECT_EQ(person.region(), "A");
+}
+
+/// Stairs in a small stairwell, on the way.
+std::shared_ptr<const building::Building> stairwell() {
+    AsciiMap map;
+    map.floor(R"(
++-----+-----+
+|S    |K    |
+|     /     |
++-----+-----+
+)");
+    map.floor(R"(
++-----+-----+
+|T    |L    |
+|     /     |
++-----+-----+
+)",
+              1.0);
+    map.join(building::AccessKind::Stairs, 'S', 'T', "main", 18);
+    return map.build();
+}
+
+TEST(GuidedWalk, NobodyClimbsWhoWasToldOfADoor) {
+    Blind door(stairwell(), "S"), stairs(stairwell(), "S");
+    door.goal("L").told(building::AccessKind::Door).walk(10.0);
+    stairs.goal("L").told(building::AccessKind::Stairs, 1.0).walk(10.0);
+    EXPECT_LT(door.share("T") + door.share("L"), 0.15);
+    EXPECT_GT(stairs.share("T") + stairs.share("L"), 0.5);
+}
+
+TEST(GuidedWalk, WhoWasToldOfADoorMayHaveTakenAnother) {
+    // Along the corridor to its east end, told of a door; B and D are there, one of them is meant.
+    Blind user(corridor(), "K");
+    user.goal("B").told(building::AccessKind::Door).walk(4.0).turn(90.0).walk(4.0);
+    Blind untold(corridor(), "K");
+    untold.goal("B").walk(4.0).turn(90.0).walk(4.0);
+    double other = user.share("D") + user.share("A") + user.share("C");
+    double otherUntold = untold.share("D") + untold.share("A") + untold.share("C");
+    EXPECT_GE(other, otherUntold);
 }
 
 } // namespace

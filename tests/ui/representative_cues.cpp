@@ -152,6 +152,11 @@ void addDirections(std::vector<NamedCue>& list) {
         Cue cue = with(cueOf(CueKind::Act, at(ManoeuvreKind::Door, 4.0 - 30.0 * hour)), hour);
         list.push_back({QStringLiteral("door and turn at %1").arg(hour), cue, true});
     }
+    Cue behind =
+        then(cueOf(CueKind::Act, at(ManoeuvreKind::Door, -90), "Corridor B"), at(ManoeuvreKind::Door, 0));
+    behind.turnFirst = fromDegrees(-175);
+    list.push_back({"door behind, and another", behind, true});
+    list.push_back({"door behind, and another, unsure", unsure(behind), true});
 }
 
 void addState(std::vector<NamedCue>& list) {

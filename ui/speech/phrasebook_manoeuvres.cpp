@@ -430,6 +430,8 @@ QString Phrasebook::act(const Cue& cue) const {
         return (cue.sure ? tr("Your destination is here: %1.") : tr("Your destination is probably here: %1."))
             .arg(into);
     }
+    if (const QString turning = facing(cue); !turning.isEmpty())
+        return spoken::joined({turning, announced(cue, tr("Then"), manoeuvre)});
     const Feature feature = featureOf(manoeuvre);
     const bool isGap = feature == Feature::Door || feature == Feature::Opening;
     QString lead;

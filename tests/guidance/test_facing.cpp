@@ -1,0 +1,118 @@
+// Orders for somebody whose facing is followed all the while.
+
+#include "tests/guidance/guided.h"
+
+#include <gtest/gtest.h>
+
+using namespace farol;
+using namespace farol::guidance;
+using farol::test::at;
+using farol::test::Guided;
+
+namespace {
+
+/// At a spot, facing so many degrees counter-clockwise from east, for some seconds.
+std::vector<Cue> standing(Guided& walk, const std::string& region, char spot, double headingDeg,
+                          double seconds, double sigmaDeg = 15.0) {
+    std::vector<Cue> heard;
+    for (double t = 0.0; t < seconds; t += 0.5) {
+        walk.fix = {};
+        walk.fix.followed = true;
+        walk.fix.region = RegionId(region);
+        walk.fix.confidence = 0.95;
+        walk.fix.level = 0.0;
+        walk.fix.position = walk.map.spot(spot).position;
+        walk.fix.sigmaM = 0.5;
+        walk.fix.heading = fromDegrees(headingDeg);
+        walk.fix.headingSigma = fromDegrees(sigmaDeg);
+        walk.later(0.5);
+        heard.insert(heard.end(), walk.cues.begin(), walk.cues.end());
+    }
+    return heard;
+}
+
+/// The last order to pass something.
+const Cue* lastOrder(const std::vector<Cue>& heard) {
+    const Cue* last = nullptr;
+    for (const Cue& cue : heard)
+        if (cue.kind == CueKind::Prepare || cue.kind == CueKind::Act || cue.kind == CueKind::RouteStart)
+            last = &cue;
+    return last;
+}
+
+TEST(Facing, WhoFacesAwayIsTurnedRoundAndThenLed) {
+    Guided walk;
+    walk.tracker.setDestination(at("S"));
+    standing(walk, "K", '5', 180.0, 2.0);
+    const std::vector<Cue> heard = standing(walk, "K", '5', 180.0, 8.0);
+    const Cue* order = lastOrder(heard);
+    ASSERT_NE(order, nullptr) << "nobody who goes the wrong way waits for the next announcement";
+    ASSERT_TRUE(order->turnFirst);
+    EXPECT_NEAR(std::abs(toDegrees(*order->turnFirst)), 180.0, 30.0);
+    EXPECT_TRUE(order->facingWay);
+    EXPECT_FALSE(order->hour) << "it would not hold after the turn";
+}
+
+TEST(Facing, WhoFacesTheWayIsNotTurned) {
+    Guided walk;
+    walk.tracker.setDestination(at("S"));
+    for (const Cue& cue : standing(walk, "K", '3', 5.0, 20.0)) EXPECT_FALSE(cue.turnFirst);
+}
+
+TEST(Facing, AVagueHeadingTurnsNobody) {
+    Guided walk;
+    walk.tracker.setDestination(at("S"));
+    for (const Cue& cue : standing(walk, "K", '5', 180.0, 20.0, 60.0)) {
+        EXPECT_FALSE(cue.turnFirst);
+        EXPECT_FALSE(cue.hour);
+    }
+}
+
+TEST(Facing, WhoIsTurningIsNotToldToTurnAgain) {
+    Guided walk;
+    walk.tracker.setDestination(at("S"));
+    standing(walk, "K", '5', 180.0, 2.0);
+    int told = 0;
+    for (int i = 0; i < 12; ++i)
+        for (const Cue& cue : standing(walk, "K", '5', 180.0 + 45.0 * i, 0.5)) told += cue.turnFirst ? 1 : 0;
+    EXPECT_EQ(told, 0);
+}
+
+TEST(Facing, OneOrderToTurnIsFollowedBeforeTheNext) {
+    Guided walk;
+    walk.tracker.setDestination(at("S"));
+    std::vector<double> times;
+    for (const Cue& cue : standing(walk, "K", '5', 180.0, 40.0))
+        if (cue.turnFirst) times.push_back(cue.time);
+    ASSERT_GE(times.size(), 2U);
+    for (std::size_t i = 1; i < times.size(); ++i) EXPECT_GE(times[i] - times[i - 1], 4.0);
+}
+
+TEST(Facing, ADoorAtHandIsWhereItsWallIs) {
+    // In room B before its door, which is in the south wall; facing east.
+    Guided walk(test::corridorMap().landmark('b', {Kind::Poster}));
+    walk.tracker.setDestination(at("A"));
+    std::vector<Cue> heard = standing(walk, "B", 'b', 0.0, 3.0);
+    walk.fix.position = walk.building->access(AccessId("B-K"))->midpoint() + Point2{0.0, 0.6};
+    heard.clear();
+    for (int i = 0; i < 30; ++i) {
+        walk.later(0.5);
+        heard.insert(heard.end(), walk.cues.begin(), walk.cues.end());
+    }
+    const Cue* order = lastOrder(heard);
+    ASSERT_NE(order, nullptr);
+    ASSERT_TRUE(order->turnFirst) << "the door is on the right";
+    EXPECT_NEAR(toDegrees(*order->turnFirst), -90.0, 5.0);
+    EXPECT_EQ(order->manoeuvre->side, routing::Side::None) << "after the turn it is ahead";
+}
+
+TEST(Facing, AnAnswerKnowsWhereOneFacesToo) {
+    Guided walk;
+    walk.tracker.setDestination(at("S"));
+    standing(walk, "K", '5', 180.0, 30.0);
+    // Its words came long ago.
+    Cue answer = walk.scheduler.answer(Question::Next, walk.frame, walk.fix, walk.progress);
+    EXPECT_TRUE(answer.turnFirst || answer.hour);
+}
+
+} // namespace

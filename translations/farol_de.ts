@@ -3079,6 +3079,69 @@ Open one with Ctrl+O.</source>
     </message>
 </context>
 <context>
+    <name>farol::ui::NoRouteWords</name>
+    <message>
+        <source>stairs</source>
+        <translation>Treppen</translation>
+    </message>
+    <message>
+        <source>a lift</source>
+        <translation>ein Aufzug</translation>
+    </message>
+    <message>
+        <source>an escalator</source>
+        <translation>eine Rolltreppe</translation>
+    </message>
+    <message>
+        <source>a moving walkway</source>
+        <translation>ein Fahrsteig</translation>
+    </message>
+    <message>
+        <source>a ramp</source>
+        <translation>eine Rampe</translation>
+    </message>
+    <message>
+        <source>a narrow door</source>
+        <translation>eine schmale Tür</translation>
+    </message>
+    <message>
+        <source>a restricted region</source>
+        <translation>ein nicht öffentlicher Bereich</translation>
+    </message>
+    <message>
+        <source>a closed door or passage</source>
+        <translation>eine geschlossene Tür oder Passage</translation>
+    </message>
+    <message>
+        <source>a one-way door or passage</source>
+        <translation>eine Tür oder Passage nur für die andere Richtung</translation>
+    </message>
+    <message>
+        <source>%1 (from %2 to %3)</source>
+        <translation>%1 (von %2 nach %3)</translation>
+    </message>
+    <message>
+        <source>The map joins %1 and %2 in no way.</source>
+        <translation>Die Karte verbindet %1 und %2 durch nichts.</translation>
+    </message>
+    <message>
+        <source>%1 is reached only by what is to be avoided: %2.</source>
+        <translation>%1 ist nur über das zu erreichen, was gemieden werden soll: %2.</translation>
+    </message>
+    <message>
+        <source> or </source>
+        <translation> oder </translation>
+    </message>
+    <message>
+        <source>On the way to %1 stands %2.</source>
+        <translation>Auf dem Weg nach %1 steht: %2.</translation>
+    </message>
+    <message>
+        <source> and </source>
+        <translation> und </translation>
+    </message>
+</context>
+<context>
     <name>farol::ui::OptionFields</name>
     <message>
         <source>Announce what comes within</source>

@@ -3079,6 +3079,69 @@ Abra uno con Ctrl+O.</translation>
     </message>
 </context>
 <context>
+    <name>farol::ui::NoRouteWords</name>
+    <message>
+        <source>stairs</source>
+        <translation>escaleras</translation>
+    </message>
+    <message>
+        <source>a lift</source>
+        <translation>un ascensor</translation>
+    </message>
+    <message>
+        <source>an escalator</source>
+        <translation>una escalera mecánica</translation>
+    </message>
+    <message>
+        <source>a moving walkway</source>
+        <translation>una cinta transportadora</translation>
+    </message>
+    <message>
+        <source>a ramp</source>
+        <translation>una rampa</translation>
+    </message>
+    <message>
+        <source>a narrow door</source>
+        <translation>una puerta estrecha</translation>
+    </message>
+    <message>
+        <source>a restricted region</source>
+        <translation>un espacio restringido</translation>
+    </message>
+    <message>
+        <source>a closed door or passage</source>
+        <translation>una puerta o un paso cerrado</translation>
+    </message>
+    <message>
+        <source>a one-way door or passage</source>
+        <translation>una puerta o un paso de sentido único</translation>
+    </message>
+    <message>
+        <source>%1 (from %2 to %3)</source>
+        <translation>%1 (de %2 a %3)</translation>
+    </message>
+    <message>
+        <source>The map joins %1 and %2 in no way.</source>
+        <translation>El mapa no une %1 y %2 de ningún modo.</translation>
+    </message>
+    <message>
+        <source>%1 is reached only by what is to be avoided: %2.</source>
+        <translation>A %1 solo se llega por lo que se quiere evitar: %2.</translation>
+    </message>
+    <message>
+        <source> or </source>
+        <translation> o </translation>
+    </message>
+    <message>
+        <source>On the way to %1 stands %2.</source>
+        <translation>En el camino a %1 hay %2.</translation>
+    </message>
+    <message>
+        <source> and </source>
+        <translation> y </translation>
+    </message>
+</context>
+<context>
     <name>farol::ui::OptionFields</name>
     <message>
         <source>Announce what comes within</source>

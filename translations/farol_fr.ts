@@ -725,7 +725,7 @@
     <name>farol::ui::FloorPictures</name>
     <message>
         <source>The image lies where its file says.</source>
-        <translation>L'image se trouve là où son fichier l'indique.</translation>
+        <translation>L&apos;image se trouve là où son fichier l&apos;indique.</translation>
     </message>
     <message>
         <source>Now click where this point belongs on the map. Escape gives up.</source>
@@ -733,11 +733,11 @@
     </message>
     <message>
         <source>Click a point of the image that you know on the map, a corner of the house, say. Escape leaves the image where it is.</source>
-        <translation>Cliquez sur un point de l'image que vous connaissez sur la carte, un coin de la maison par exemple. Échap laisse l'image où elle est.</translation>
+        <translation>Cliquez sur un point de l&apos;image que vous connaissez sur la carte, un coin de la maison par exemple. Échap laisse l&apos;image où elle est.</translation>
     </message>
     <message>
         <source>Click a second point of the image, far from the first.</source>
-        <translation>Cliquez sur un deuxième point de l'image, loin du premier.</translation>
+        <translation>Cliquez sur un deuxième point de l&apos;image, loin du premier.</translation>
     </message>
     <message>
         <source>Placed. A third point straightens a skewed image; Escape ends.</source>
@@ -745,7 +745,7 @@
     </message>
     <message>
         <source>That is beside the image. Click a point of the image.</source>
-        <translation>C'est à côté de l'image. Cliquez sur un point de l'image.</translation>
+        <translation>C&apos;est à côté de l&apos;image. Cliquez sur un point de l&apos;image.</translation>
     </message>
     <message>
         <source>These points lie too near each other, or on one line. Click another one.</source>
@@ -753,11 +753,11 @@
     </message>
     <message>
         <source>The image is placed by three points.</source>
-        <translation>L'image est placée par trois points.</translation>
+        <translation>L&apos;image est placée par trois points.</translation>
     </message>
     <message>
         <source>How strong the floor-plan image is</source>
-        <translation>Avec quelle force se voit l'image du plan</translation>
+        <translation>Avec quelle force se voit l&apos;image du plan</translation>
     </message>
     <message>
         <source>Place by p&amp;oints</source>
@@ -765,11 +765,11 @@
     </message>
     <message>
         <source>Place the image by points</source>
-        <translation>Placer l'image par points</translation>
+        <translation>Placer l&apos;image par points</translation>
     </message>
     <message>
         <source>Click two or three points of the image and where they belong on the map</source>
-        <translation>Cliquer sur deux ou trois points de l'image et là où ils se trouvent sur la carte</translation>
+        <translation>Cliquer sur deux ou trois points de l&apos;image et là où ils se trouvent sur la carte</translation>
     </message>
     <message>
         <source>Take a&amp;way</source>
@@ -777,11 +777,11 @@
     </message>
     <message>
         <source>Take the image away</source>
-        <translation>Retirer l'image</translation>
+        <translation>Retirer l&apos;image</translation>
     </message>
     <message>
         <source>The floor shows no image any more; its file stays</source>
-        <translation>L'étage ne montre plus d'image ; son fichier reste</translation>
+        <translation>L&apos;étage ne montre plus d&apos;image ; son fichier reste</translation>
     </message>
     <message>
         <source>Ima&amp;ge:</source>
@@ -986,7 +986,7 @@ Ouvrez une caméra, une vidéo ou un dossier d&apos;images, puis appuyez sur Lec
     </message>
     <message>
         <source>Ctrl+Shift+U marks from where no landmark is seen, and Ctrl+Shift+N lists the routes that are missing. Ctrl+Shift+I lays the image of a floor plan under the floor: click two points of it and where they belong.</source>
-        <translation>Ctrl+Maj+U marque d'où l'on ne voit aucun repère, et Ctrl+Maj+N énumère les itinéraires qui manquent. Ctrl+Maj+I pose l'image d'un plan sous l'étage : cliquez sur deux de ses points et là où ils se trouvent.</translation>
+        <translation>Ctrl+Maj+U marque d&apos;où l&apos;on ne voit aucun repère, et Ctrl+Maj+N énumère les itinéraires qui manquent. Ctrl+Maj+I pose l&apos;image d&apos;un plan sous l&apos;étage : cliquez sur deux de ses points et là où ils se trouvent.</translation>
     </message>
 </context>
 <context>
@@ -2665,7 +2665,7 @@ Guide une personne aveugle dans un bâtiment avec une simple caméra : il recon
     </message>
     <message>
         <source>Where landmarks are see&amp;n</source>
-        <translation>&amp;Où l'on voit des repères</translation>
+        <translation>&amp;Où l&apos;on voit des repères</translation>
     </message>
     <message>
         <source>Seen</source>
@@ -2673,7 +2673,7 @@ Guide une personne aveugle dans un bâtiment avec une simple caméra : il recon
     </message>
     <message>
         <source>Mark from where landmarks can be seen, and from where none can</source>
-        <translation>Marquer d'où l'on voit des repères, et d'où l'on n'en voit aucun</translation>
+        <translation>Marquer d&apos;où l&apos;on voit des repères, et d&apos;où l&apos;on n&apos;en voit aucun</translation>
     </message>
     <message>
         <source>&amp;Missing routes…</source>
@@ -2685,7 +2685,7 @@ Guide une personne aveugle dans un bâtiment avec une simple caméra : il recon
     </message>
     <message>
         <source>List the places between which no route leads, and why</source>
-        <translation>Énumérer les lieux qu'aucun itinéraire ne relie, et pourquoi</translation>
+        <translation>Énumérer les lieux qu&apos;aucun itinéraire ne relie, et pourquoi</translation>
     </message>
     <message>
         <source>Floor-plan ima&amp;ge…</source>
@@ -2693,11 +2693,11 @@ Guide une personne aveugle dans un bâtiment avec une simple caméra : il recon
     </message>
     <message>
         <source>Image</source>
-        <translation>L'image</translation>
+        <translation>L&apos;image</translation>
     </message>
     <message>
         <source>Lay the image of a floor plan under the floor that is shown</source>
-        <translation>Poser l'image d'un plan sous l'étage montré</translation>
+        <translation>Poser l&apos;image d&apos;un plan sous l&apos;étage montré</translation>
     </message>
 </context>
 <context>
@@ -3037,7 +3037,7 @@ Ouvrez-en une avec Ctrl+O.</translation>
     </message>
     <message>
         <source>Places between which no route leads; Enter shows the chosen one on the plan</source>
-        <translation>Lieux qu'aucun itinéraire ne relie ; Entrée montre celui qui est choisi sur le plan</translation>
+        <translation>Lieux qu&apos;aucun itinéraire ne relie ; Entrée montre celui qui est choisi sur le plan</translation>
     </message>
     <message>
         <source>Show on the plan</source>
@@ -3060,13 +3060,13 @@ Ouvrez-en une avec Ctrl+O.</translation>
     </message>
     <message>
         <source>Of %1 pairs of places, %2 have no route.</source>
-        <translation>Sur %1 paires de lieux, %2 n'ont pas d'itinéraire.</translation>
+        <translation>Sur %1 paires de lieux, %2 n&apos;ont pas d&apos;itinéraire.</translation>
     </message>
     <message numerus="yes">
         <source>%n more line(s) are not listed: mend these first.</source>
         <translation>
-            <numerusform>%n ligne de plus n'est pas montrée : corrigez d'abord celles-ci.</numerusform>
-            <numerusform>%n lignes de plus ne sont pas montrées : corrigez d'abord celles-ci.</numerusform>
+            <numerusform>%n ligne de plus n&apos;est pas montrée : corrigez d&apos;abord celles-ci.</numerusform>
+            <numerusform>%n lignes de plus ne sont pas montrées : corrigez d&apos;abord celles-ci.</numerusform>
         </translation>
     </message>
     <message>
@@ -3076,6 +3076,69 @@ Ouvrez-en une avec Ctrl+O.</translation>
     <message>
         <source>this way</source>
         <translation>dans ce sens</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::NoRouteWords</name>
+    <message>
+        <source>stairs</source>
+        <translation>des escaliers</translation>
+    </message>
+    <message>
+        <source>a lift</source>
+        <translation>un ascenseur</translation>
+    </message>
+    <message>
+        <source>an escalator</source>
+        <translation>un escalator</translation>
+    </message>
+    <message>
+        <source>a moving walkway</source>
+        <translation>un tapis roulant</translation>
+    </message>
+    <message>
+        <source>a ramp</source>
+        <translation>une rampe</translation>
+    </message>
+    <message>
+        <source>a narrow door</source>
+        <translation>une porte étroite</translation>
+    </message>
+    <message>
+        <source>a restricted region</source>
+        <translation>un espace réservé</translation>
+    </message>
+    <message>
+        <source>a closed door or passage</source>
+        <translation>une porte ou un passage fermé</translation>
+    </message>
+    <message>
+        <source>a one-way door or passage</source>
+        <translation>une porte ou un passage à sens unique</translation>
+    </message>
+    <message>
+        <source>%1 (from %2 to %3)</source>
+        <translation>%1 (de %2 à %3)</translation>
+    </message>
+    <message>
+        <source>The map joins %1 and %2 in no way.</source>
+        <translation>La carte ne relie %1 et %2 d'aucune façon.</translation>
+    </message>
+    <message>
+        <source>%1 is reached only by what is to be avoided: %2.</source>
+        <translation>On n'arrive à %1 que par ce qui est à éviter : %2.</translation>
+    </message>
+    <message>
+        <source> or </source>
+        <translation> ou </translation>
+    </message>
+    <message>
+        <source>On the way to %1 stands %2.</source>
+        <translation>Sur le chemin de %1 se trouve %2.</translation>
+    </message>
+    <message>
+        <source> and </source>
+        <translation> et </translation>
     </message>
 </context>
 <context>
@@ -4515,7 +4578,7 @@ Ouvrez-en une avec Ctrl+O.</translation>
     </message>
     <message>
         <source>sees no landmark</source>
-        <translation>n'en voit aucun</translation>
+        <translation>n&apos;en voit aucun</translation>
     </message>
     <message>
         <source>sees one</source>

@@ -3079,6 +3079,69 @@ Abra um com Ctrl+O.</translation>
     </message>
 </context>
 <context>
+    <name>farol::ui::NoRouteWords</name>
+    <message>
+        <source>stairs</source>
+        <translation>escadas</translation>
+    </message>
+    <message>
+        <source>a lift</source>
+        <translation>um elevador</translation>
+    </message>
+    <message>
+        <source>an escalator</source>
+        <translation>uma escada rolante</translation>
+    </message>
+    <message>
+        <source>a moving walkway</source>
+        <translation>um tapete rolante</translation>
+    </message>
+    <message>
+        <source>a ramp</source>
+        <translation>uma rampa</translation>
+    </message>
+    <message>
+        <source>a narrow door</source>
+        <translation>uma porta estreita</translation>
+    </message>
+    <message>
+        <source>a restricted region</source>
+        <translation>um espaço reservado</translation>
+    </message>
+    <message>
+        <source>a closed door or passage</source>
+        <translation>uma porta ou passagem fechada</translation>
+    </message>
+    <message>
+        <source>a one-way door or passage</source>
+        <translation>uma porta ou passagem de sentido único</translation>
+    </message>
+    <message>
+        <source>%1 (from %2 to %3)</source>
+        <translation>%1 (de %2 para %3)</translation>
+    </message>
+    <message>
+        <source>The map joins %1 and %2 in no way.</source>
+        <translation>O mapa não liga %1 e %2 de modo nenhum.</translation>
+    </message>
+    <message>
+        <source>%1 is reached only by what is to be avoided: %2.</source>
+        <translation>A %1 só se chega pelo que se quer evitar: %2.</translation>
+    </message>
+    <message>
+        <source> or </source>
+        <translation> ou </translation>
+    </message>
+    <message>
+        <source>On the way to %1 stands %2.</source>
+        <translation>No caminho para %1 está %2.</translation>
+    </message>
+    <message>
+        <source> and </source>
+        <translation> e </translation>
+    </message>
+</context>
+<context>
     <name>farol::ui::OptionFields</name>
     <message>
         <source>Announce what comes within</source>

@@ -122,8 +122,7 @@ MissingRoutes findMissingRoutes(const std::shared_ptr<const Building>& building,
         found.routes.resize(most);
     }
     for (MissingRoute& route : found.routes)
-        route.reason =
-            rules.unreachable(groups[route.from].regions.front(), groups[route.to].regions.front()).message;
+        route.why = rules.noRoute(groups[route.from].regions.front(), groups[route.to].regions.front());
     return found;
 }
 

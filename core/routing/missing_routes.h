@@ -4,7 +4,6 @@
 #include "core/routing/route.h"
 
 #include <memory>
-#include <string>
 #include <vector>
 
 namespace farol::routing {
@@ -19,7 +18,7 @@ struct MissingRoute {
     std::size_t from = 0, to = 0; ///< in MissingRoutes::groups
     bool bothWays = false;        ///< nor the other way round
     std::size_t pairs = 0;        ///< of a start and a goal
-    std::string reason;           ///< of the first of the one to the first of the other
+    NoRoute why;                  ///< from the first of the one to the first of the other
 };
 
 struct MissingRoutes {

@@ -66,6 +66,22 @@ struct Route {
     bool passes(const RegionId& region) const;
 };
 
+/// What can keep one from a way.
+enum class Obstacle { Stairs, Elevator, Escalator, Walkway, Ramp, Narrow, Restricted, Closed, OneWay };
+
+/// Why there is no way from one region to another, as structure: words are made in ui/models.
+struct NoRoute {
+    struct Barrier {
+        Obstacle obstacle = Obstacle::Closed;
+        RegionId from, into; ///< between which it stands
+    };
+
+    RegionId from, to;
+    std::vector<Obstacle> anyOf; ///< each would do by itself, and all are to be avoided
+    std::vector<Barrier> past;   ///< else all of these stand on the way
+    bool joined() const { return !anyOf.empty() || !past.empty(); } ///< by anything at all
+};
+
 /// The profile of who walks: what may be used, and how long it takes. Speeds in metres a second on the flat.
 /// Closed accesses are never used.
 struct RouteOptions {

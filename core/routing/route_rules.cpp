@@ -260,53 +260,64 @@ bool RouteRules::reachable(std::size_t from, std::size_t to) const {
     return from == to || !fewestObstacles({}, from, to).empty();
 }
 
-/// Between which regions the obstacle stands first on the way with the fewest of those allowed, in brackets;
-/// or nothing.
-std::string RouteRules::where(Obstacle obstacle, const Obstacles& allowed, std::size_t from,
-                              std::size_t to) const {
-    for (const Step& step : fewestObstacles(allowed, from, to))
-        if (obstacles(step, from, to).count(obstacle) != 0)
-            return " (" + spokenName(m_building->regions()[step.from]) + " to " +
-                   spokenName(m_building->regions()[step.into]) + ")";
-    return {};
+/// Where the obstacle stands first on the way with the fewest of those allowed, if it does.
+void RouteRules::addBarrier(NoRoute& why, Obstacle obstacle, const Obstacles& allowed, std::size_t from,
+                            std::size_t to) const {
+    for (const Step& step : fewestObstacles(allowed, from, to)) {
+        if (obstacles(step, from, to).count(obstacle) == 0) continue;
+        why.past.push_back(
+            {obstacle, m_building->regions()[step.from].id, m_building->regions()[step.into].id});
+        return;
+    }
 }
 
-std::string RouteRules::severalObstacles(std::size_t from, std::size_t to) const {
-    std::string text;
-    for (Obstacle obstacle : allObstacles()) {
-        std::string sides = where(obstacle, allObstacles(), from, to);
-        if (!sides.empty())
-            text += (text.empty() ? "" : " and ") + std::string(obstacleWords(obstacle)) + sides;
+NoRoute RouteRules::noRoute(std::size_t from, std::size_t to) const {
+    NoRoute why{m_building->regions()[from].id, m_building->regions()[to].id, {}, {}};
+    if (fewestObstacles(allObstacles(), from, to).empty()) return why;
+    // What would do by itself is told, all of it; else what stands on the way with the fewest obstacles.
+    for (Obstacle obstacle : {Obstacle::Stairs, Obstacle::Elevator, Obstacle::Escalator, Obstacle::Walkway,
+                              Obstacle::Ramp, Obstacle::Narrow, Obstacle::Restricted})
+        if (!fewestObstacles({obstacle}, from, to).empty()) why.anyOf.push_back(obstacle);
+    if (!why.anyOf.empty()) return why;
+    for (Obstacle obstacle : {Obstacle::Closed, Obstacle::OneWay}) {
+        if (fewestObstacles({obstacle}, from, to).empty()) continue;
+        addBarrier(why, obstacle, {obstacle}, from, to);
+        return why;
     }
-    return "past " + text + " only";
+    for (Obstacle obstacle : allObstacles()) addBarrier(why, obstacle, allObstacles(), from, to);
+    return why;
+}
+
+std::string RouteRules::inWords(const NoRoute::Barrier& barrier) const {
+    return " (" + spokenName(*m_building->region(barrier.from)) + " to " +
+           spokenName(*m_building->region(barrier.into)) + ")";
 }
 
 Error RouteRules::unreachable(std::size_t from, std::size_t to) const {
     std::string start = spokenName(m_building->regions()[from]);
     std::string goal = spokenName(m_building->regions()[to]);
     std::string context = start + " to " + goal;
-    if (fewestObstacles(allObstacles(), from, to).empty())
+    const NoRoute why = noRoute(from, to);
+    if (!why.joined())
         return {ErrorCode::NotFound,
                 "there is no way at all: the map joins " + goal + " and " + start + " by no access", context};
-    // What would do by itself is told, all of it; else what stands on the way with the fewest obstacles.
-    std::string alternatives;
-    bool several = false;
-    for (Obstacle obstacle : {Obstacle::Stairs, Obstacle::Elevator, Obstacle::Escalator, Obstacle::Walkway,
-                              Obstacle::Ramp, Obstacle::Narrow, Obstacle::Restricted}) {
-        if (fewestObstacles({obstacle}, from, to).empty()) continue;
-        several = !alternatives.empty() || obstacle == Obstacle::Stairs;
-        alternatives += (alternatives.empty() ? "" : " or ") + std::string(obstacleWords(obstacle));
+    std::string text;
+    for (Obstacle obstacle : why.anyOf)
+        text += (text.empty() ? "" : " or ") + std::string(obstacleWords(obstacle));
+    if (!why.anyOf.empty()) {
+        const bool several = why.anyOf.size() > 1 || why.anyOf.front() == Obstacle::Stairs;
+        text = "by " + text + " only, which " + (several ? "are" : "is") + " to be avoided";
+    } else if (why.past.size() == 1 && why.past.front().obstacle == Obstacle::Closed) {
+        text = "through a closed access only" + inWords(why.past.front());
+    } else if (why.past.size() == 1 && why.past.front().obstacle == Obstacle::OneWay) {
+        text = "against a one-way access only" + inWords(why.past.front());
+    } else {
+        for (const NoRoute::Barrier& barrier : why.past)
+            text += (text.empty() ? "" : " and ") + std::string(obstacleWords(barrier.obstacle)) +
+                    inWords(barrier);
+        text = "past " + text + " only";
     }
-    std::string how;
-    if (!alternatives.empty())
-        how = "by " + alternatives + " only, which " + (several ? "are" : "is") + " to be avoided";
-    else if (!fewestObstacles({Obstacle::Closed}, from, to).empty())
-        how = "through a closed access only" + where(Obstacle::Closed, {Obstacle::Closed}, from, to);
-    else if (!fewestObstacles({Obstacle::OneWay}, from, to).empty())
-        how = "against a one-way access only" + where(Obstacle::OneWay, {Obstacle::OneWay}, from, to);
-    else
-        how = severalObstacles(from, to);
-    return {ErrorCode::NotFound, goal + " can be reached " + how, context};
+    return {ErrorCode::NotFound, goal + " can be reached " + text, context};
 }
 
 } // namespace farol::routing

@@ -49,11 +49,12 @@ public:
     bool isLift(std::size_t access) const;
 
     bool reachable(std::size_t from, std::size_t to) const;
-    /// Why `to` cannot be reached: by what is closed or to be avoided only, or not at all.
+    /// Why there is no way to `to`.
+    NoRoute noRoute(std::size_t from, std::size_t to) const;
+    /// The same in words: by what is closed or to be avoided only, or not at all.
     Error unreachable(std::size_t from, std::size_t to) const;
 
 private:
-    enum class Obstacle { Stairs, Elevator, Escalator, Walkway, Ramp, Narrow, Restricted, Closed, OneWay };
     using Obstacles = std::set<Obstacle>;
     static constexpr std::size_t kNowhere = static_cast<std::size_t>(-1);
 
@@ -66,8 +67,9 @@ private:
     void forEachObstacle(const Step& step, std::size_t start, std::size_t goal, Visit visit) const;
     Obstacles obstacles(const Step& step, std::size_t start, std::size_t goal) const;
     std::vector<Step> fewestObstacles(const Obstacles& allowed, std::size_t from, std::size_t to) const;
-    std::string severalObstacles(std::size_t from, std::size_t to) const;
-    std::string where(Obstacle obstacle, const Obstacles& allowed, std::size_t from, std::size_t to) const;
+    void addBarrier(NoRoute& why, Obstacle obstacle, const Obstacles& allowed, std::size_t from,
+                    std::size_t to) const;
+    std::string inWords(const NoRoute::Barrier& barrier) const;
     double levelsOf(const Step& step) const;
     double heightM(const Step& step) const;
     double liftSeconds(const Step& step, const Step* previous) const;

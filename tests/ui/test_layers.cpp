@@ -236,7 +236,8 @@ void LayersTest::aOneWayDoorMissesOneWayOnly() {
     QCOMPARE(found.routes.size(), std::size_t{1});
     QVERIFY(!found.routes[0].bothWays);
     QCOMPARE(found.groups[found.routes[0].from].regions.front(), RegionId("r2"));
-    QVERIFY(found.routes[0].reason.find("one-way") != std::string::npos);
+    QCOMPARE(found.routes[0].why.past.size(), std::size_t{1});
+    QVERIFY(found.routes[0].why.past[0].obstacle == routing::Obstacle::OneWay);
     // More than are wanted are counted, not listed.
     const auto apart =
         std::make_shared<const building::Building>(changed([](auto& data) { data.accesses.clear(); }));

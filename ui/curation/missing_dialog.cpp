@@ -1,6 +1,7 @@
 #include "ui/curation/missing_dialog.h"
 
 #include "ui/convert/convert.h"
+#include "ui/models/no_route_words.h"
 
 #include <QDialogButtonBox>
 #include <QHeaderView>
@@ -112,7 +113,7 @@ void MissingDialog::show(routing::MissingRoutes found) {
         set(From, nameOf(route.from));
         set(To, nameOf(route.to));
         set(Missing, route.bothWays ? tr("both ways") : tr("this way"));
-        set(Why, toQString(route.reason));
+        set(Why, NoRouteWords::sentence(*m_building, route.why));
     }
     if (m_table->rowCount() > 0) m_table->selectRow(0);
 }

@@ -1,6 +1,8 @@
 #include "ui/curation/route_panel.h"
 
+#include "core/routing/route_rules.h"
 #include "ui/convert/convert.h"
+#include "ui/models/no_route_words.h"
 #include "ui/parts/place_chooser.h"
 #include "ui/parts/tables.h"
 
@@ -126,6 +128,7 @@ routing::RouteOptions RoutePanel::options() const {
 void RoutePanel::plan() {
     const std::uint64_t job = ++m_job;
     m_reason.clear();
+    m_noRoute.reset();
     m_planning = m_building && m_from->chosen() && m_to->chosen();
     if (!m_planning) {
         m_model.setRoute(m_building, nullptr);
@@ -134,29 +137,31 @@ void RoutePanel::plan() {
         return;
     }
     summarise();
-    struct Answer {
-        std::shared_ptr<const routing::Planner> planner;
-        Result<routing::Route> route;
-    };
     m_background.run(
         [building = m_building, planner = m_planner, chosen = options(), from = *m_from->chosen(),
          to = *m_to->chosen()] {
             std::shared_ptr<const routing::Planner> with = planner;
             if (!with) with = routing::makeOptimalPlanner(building, chosen);
-            return Answer{with, with->plan({from, std::nullopt}, {to, std::nullopt})};
+            Answer answer{with, with->plan({from, std::nullopt}, {to, std::nullopt}), std::nullopt};
+            const auto start = building->regionIndex(from);
+            const auto goal = building->regionIndex(to);
+            if (!answer.route && start && goal && answer.route.error().code == ErrorCode::NotFound)
+                answer.why = routing::RouteRules(building, chosen).noRoute(*start, *goal);
+            return answer;
         },
         [this, job, building = m_building](Answer answer) {
             if (job != m_job) return;
-            m_planner = std::move(answer.planner);
-            planned(building, std::move(answer.route));
+            m_planner = answer.planner;
+            planned(building, std::move(answer));
         });
 }
 
-void RoutePanel::planned(const std::shared_ptr<const building::Building>& building,
-                         Result<routing::Route> result) {
+void RoutePanel::planned(const std::shared_ptr<const building::Building>& building, Answer answer) {
     m_planning = false;
-    if (!result) m_reason = toQString(result.error().text());
-    m_model.setRoute(building, result ? std::make_shared<const routing::Route>(std::move(*result)) : nullptr);
+    Result<routing::Route>& route = answer.route;
+    if (!route) m_reason = toQString(route.error().text());
+    m_noRoute = std::move(answer.why);
+    m_model.setRoute(building, route ? std::make_shared<const routing::Route>(std::move(*route)) : nullptr);
     summarise();
     Q_EMIT routeChanged();
 }
@@ -168,7 +173,8 @@ void RoutePanel::summarise() {
     else if (m_planning)
         text = tr("Looking for the way…");
     else if (!m_reason.isEmpty())
-        text = tr("There is no way. %1").arg(m_reason);
+        text = tr("There is no way. %1")
+                   .arg(m_noRoute ? NoRouteWords::sentence(*m_building, *m_noRoute) : m_reason);
     else if (const auto& route = m_model.route())
         text = tr("%1 m, about %n minute(s), through %2.", nullptr,
                   static_cast<int>(std::max(1L, std::lround(route->seconds / 60.0))))

@@ -52,7 +52,12 @@ protected:
 
 private:
     void plan();
-    void planned(const std::shared_ptr<const building::Building>& building, Result<routing::Route> result);
+    struct Answer {
+        std::shared_ptr<const routing::Planner> planner;
+        Result<routing::Route> route;
+        std::optional<routing::NoRoute> why; ///< there is none
+    };
+    void planned(const std::shared_ptr<const building::Building>& building, Answer answer);
     void retranslate();
     void summarise();
 
@@ -66,7 +71,8 @@ private:
     QCheckBox *m_stairs, *m_lifts, *m_escalators, *m_restricted;
     QLabel* m_summary;
     QTableView* m_table;
-    QString m_reason; ///< why there is no route
+    QString m_reason; ///< why there is no route, where it is nothing about the map
+    std::optional<routing::NoRoute> m_noRoute;
     std::uint64_t m_job = 0;
     bool m_planning = false;
     Background m_background; ///< last: its jobs use the rest

@@ -300,7 +300,8 @@ std::optional<RouteTracker::Foot> RouteTracker::footOf(const Fix& fix, std::size
         Point2 nearest = nearestOnSegment(*fix.position, a, b);
         double gap = distance(*fix.position, nearest);
         if (gap < foot.gapM)
-            foot = {toEnd + distance(nearest, b), gap, i - 1 == entry && nearest == a, nearest == b};
+            foot = {toEnd + distance(nearest, b), gap, i - 1 == entry && nearest == a,
+                    nearest == b || (nearest == a && i - 1 > entry)};
         toEnd += distance(a, b);
     }
     if (end == entry) foot = {0.0, distance(*fix.position, route.path[end].position), false, true};
@@ -328,7 +329,8 @@ std::optional<std::size_t> RouteTracker::exitOf(std::size_t region) const {
 std::optional<Deviation> RouteTracker::straying(const Fix& fix) {
     bool counts = fix.position && fix.sigmaM <= kGoodSigmaM && fix.confidence >= kSureConfidence &&
                   *fix.region == m_progress.route->regions[m_progress.regionsPassed];
-    if (!counts || m_trail.evidenceTime == fix.evidenceTime) return std::nullopt;
+    double spotTime = fix.followed ? fix.time : fix.evidenceTime;
+    if (!counts || m_trail.spotTime == spotTime) return std::nullopt;
     auto exit = exitOf(m_progress.regionsPassed);
     auto foot = exit ? footOf(fix, *exit) : std::nullopt;
     if (!foot) return std::nullopt;
@@ -336,7 +338,7 @@ std::optional<Deviation> RouteTracker::straying(const Fix& fix) {
     double limit = std::max(kAstrayM, kSigmasAstray * fix.sigmaM);
     // Positions that come many times a second are a step apart only after some of them.
     bool moved = !m_trail.last || distance(*m_trail.last, *fix.position) >= kStepM;
-    m_trail.evidenceTime = fix.evidenceTime;
+    m_trail.spotTime = spotTime;
     if (!moved) return std::nullopt;
     bool back = walked < m_trail.farthestM - limit;
     bool away = foot->gapM >= limit && foot->gapM > m_trail.gapM && (foot->atEntry || foot->atCorner);

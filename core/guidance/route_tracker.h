@@ -89,7 +89,7 @@ private:
 
     /// Of the present route: how well the positions follow it.
     struct Trail {
-        std::optional<double> evidenceTime;     ///< of the last position that counted
+        std::optional<double> spotTime;         ///< of the last position that counted
         std::optional<Point2> last, walkedFrom; ///< walkedFrom: where the user began to stray
         double farthestM = 0.0;
         double gapM = 0.0;

@@ -32,7 +32,7 @@ AsciiMap hallway() {
 }
 
 struct Walked : Guided {
-    Walked() : Guided(hallway()) {
+    explicit Walked(AsciiMap drawing = hallway()) : Guided(std::move(drawing)) {
         secondsBetween = 3.0;
         planner2 = std::shared_ptr<const routing::Planner>(routing::makeOptimalPlanner(building));
         tracker = RouteTracker(building, planner2);
@@ -246,6 +246,55 @@ TEST(DoorCount, SaysTheNumberFromWhereOneIs) {
     walk.fix.position = walk.map.spot('3').position;
     next = walk.scheduler.answer(Question::Next, 1, walk.fix, walk.progress);
     EXPECT_EQ(next.manoeuvre->number, 0) << "a vague position counts nothing";
+}
+
+/// The way bends to the south in the middle of the corridor K; it goes on to the west.
+TEST(Straying, PastTheBendIsTold) {
+    Walked walk(AsciiMap().floor(R"(
+            +---------------------------------------------+
+            |K                                            |
+            |  7  6  5  4  3     2       1       0        |
+            |                                             |
+            +----------------+    +-----------------------+
+                             |    |
+                             |    +----+
+                             |    |B   |
+                             |    /    |
+                             +----+----+
+        )"));
+    walk.tracker.setDestination(at("B"));
+    walk.walk("012");
+    EXPECT_EQ(walk.offRoute(), nullptr);
+    std::string on = "34567";
+    while (walk.replans == 0 && !on.empty()) {
+        walk.walk(on.substr(0, 1));
+        on.erase(0, 1);
+    }
+    EXPECT_GE(on.size(), 2U) << "told within some metres";
+    EXPECT_EQ(walk.deviation, Deviation::Missed)
+        << "the nearest spot of the way is its bend, from whichever side it is seen";
+    ASSERT_TRUE(walk.offRoute()->turnFirst);
+    EXPECT_GT(std::abs(toDegrees(*walk.offRoute()->turnFirst)), 120.0);
+}
+
+/// Positions that are followed count also while nothing new is seen.
+TEST(Straying, TheWrongWayIsToldWhileNothingIsSeen) {
+    Walked walk;
+    walk.tracker.setDestination(at("B"));
+    walk.walk("b");
+    double seen = walk.time;
+    for (char spot : std::string("cdef")) {
+        walk.time += 3.0;
+        walk.fix.time = walk.time;
+        walk.fix.evidenceTime = seen;
+        walk.fix.followed = true;
+        walk.fix.position = walk.map.spot(spot).position;
+        walk.progress = walk.tracker.update(walk.fix);
+        walk.cues = walk.scheduler.update(++walk.frame, walk.fix, walk.progress, {});
+        walk.all.insert(walk.all.end(), walk.cues.begin(), walk.cues.end());
+    }
+    ASSERT_NE(walk.offRoute(), nullptr);
+    EXPECT_EQ(walk.offRoute()->deviation, Deviation::WrongWay);
 }
 
 } // namespace

@@ -7161,6 +7161,10 @@ Schalten Sie die Kamera ein, oder wählen Sie Bilder oder eine Aufnahme.</transl
         <source>Open a camera, a video or a folder of pictures first (Ctrl+P).</source>
         <translation>Öffnen Sie zuerst eine Kamera, ein Video oder einen Bilderordner (Strg+P).</translation>
     </message>
+    <message>
+        <source>No trained landmarks: only doors and texts are recognised. Open a library of landmarks to recognise more.</source>
+        <translation>Keine trainierten Landmarken: Nur Türen und Texte werden erkannt. Öffnen Sie eine Bibliothek von Landmarken, um mehr zu erkennen.</translation>
+    </message>
 </context>
 <context>
     <name>farol::ui::WelcomeDialog</name>

@@ -7161,6 +7161,10 @@ Encienda la cámara, o elija imágenes o una grabación.</translation>
         <source>Open a camera, a video or a folder of pictures first (Ctrl+P).</source>
         <translation>Abra primero una cámara, un vídeo o una carpeta de imágenes (Ctrl+P).</translation>
     </message>
+    <message>
+        <source>No trained landmarks: only doors and texts are recognised. Open a library of landmarks to recognise more.</source>
+        <translation>No hay puntos de referencia entrenados: solo se reconocen puertas y textos. Abra una biblioteca de puntos de referencia para reconocer más.</translation>
+    </message>
 </context>
 <context>
     <name>farol::ui::WelcomeDialog</name>

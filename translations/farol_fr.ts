@@ -48,22 +48,22 @@
     <name>farol::Options</name>
     <message>
         <source>%1 needs a number above 0, not “%2”</source>
-        <translation>%1 demande un nombre supérieur à 0, pas « %2 »</translation>
+        <translation>%1 demande un nombre supérieur à 0, pas «&#xa0;%2&#xa0;»</translation>
     </message>
     <message>
         <source>%1 needs a size such as 1280x800, not “%2”</source>
-        <translation>%1 demande une taille comme 1280x800, pas « %2 »</translation>
+        <translation>%1 demande une taille comme 1280x800, pas «&#xa0;%2&#xa0;»</translation>
     </message>
     <message>
         <source>“%1” is not known; see --help</source>
-        <translation>« %1 » est inconnu ; voir --help</translation>
+        <translation>«&#xa0;%1&#xa0;» est inconnu&#xa0;; voir --help</translation>
     </message>
 </context>
 <context>
     <name>farol::espeak</name>
     <message>
         <source>The data of the voice are missing: install espeak-ng-data.</source>
-        <translation>Les données de la voix manquent : installez espeak-ng-data.</translation>
+        <translation>Les données de la voix manquent&#xa0;: installez espeak-ng-data.</translation>
     </message>
     <message>
         <source>There is no sound device.</source>
@@ -71,7 +71,7 @@
     </message>
     <message>
         <source>The sound device cannot play speech: choose another one.</source>
-        <translation>Le périphérique audio ne peut pas restituer la parole : choisissez-en un autre.</translation>
+        <translation>Le périphérique audio ne peut pas restituer la parole&#xa0;: choisissez-en un autre.</translation>
     </message>
     <message>
         <source>The sound device does not start.</source>
@@ -83,7 +83,7 @@
     </message>
     <message>
         <source>The voice cannot be loaded: choose another one.</source>
-        <translation>La voix ne peut pas être chargée : choisissez-en une autre.</translation>
+        <translation>La voix ne peut pas être chargée&#xa0;: choisissez-en une autre.</translation>
     </message>
     <message>
         <source>The text could not be turned into sound.</source>
@@ -212,13 +212,13 @@
     </message>
     <message>
         <source>%1: found in %2 of %3 views</source>
-        <translation>%1 : retrouvé dans %2 vues sur %3</translation>
+        <translation>%1&#xa0;: retrouvé dans %2 vues sur %3</translation>
     </message>
     <message numerus="yes">
         <source>%1 taken for %2: %n time(s)</source>
         <translation>
-            <numerusform>%1 pris pour %2 : %n fois</numerusform>
-            <numerusform>%1 pris pour %2 : %n fois</numerusform>
+            <numerusform>%1 pris pour %2&#xa0;: %n fois</numerusform>
+            <numerusform>%1 pris pour %2&#xa0;: %n fois</numerusform>
         </translation>
     </message>
     <message>
@@ -294,7 +294,7 @@
     </message>
     <message>
         <source>End this walk; somebody else comes with another destination</source>
-        <translation>Terminer ce parcours ; une autre personne vient avec une autre destination</translation>
+        <translation>Terminer ce parcours&#xa0;; une autre personne vient avec une autre destination</translation>
     </message>
 </context>
 <context>
@@ -328,7 +328,7 @@
     <name>farol::ui::EditTemplateDialog</name>
     <message>
         <source>Change “%1”</source>
-        <translation>Modifier « %1 »</translation>
+        <translation>Modifier «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>not known</source>
@@ -336,7 +336,7 @@
     </message>
     <message>
         <source>%1:</source>
-        <translation>%1 :</translation>
+        <translation>%1&#xa0;:</translation>
     </message>
     <message>
         <source>Name</source>
@@ -372,14 +372,14 @@
     </message>
     <message>
         <source>Landmarks of the map refer to it by this word: when it changes, change them too</source>
-        <translation>Les repères de la carte s&apos;y réfèrent par ce mot : s&apos;il change, changez-les aussi</translation>
+        <translation>Les repères de la carte s&apos;y réfèrent par ce mot&#xa0;: s&apos;il change, changez-les aussi</translation>
     </message>
 </context>
 <context>
     <name>farol::ui::FeatureDialog</name>
     <message>
         <source>%1:</source>
-        <translation>%1 :</translation>
+        <translation>%1&#xa0;:</translation>
     </message>
     <message>
         <source>not known</source>
@@ -547,7 +547,7 @@
     </message>
     <message>
         <source>Choose a row to see it on the plan; press Enter to change it</source>
-        <translation>Choisissez une ligne pour la voir sur le plan ; appuyez sur Entrée pour la modifier</translation>
+        <translation>Choisissez une ligne pour la voir sur le plan&#xa0;; appuyez sur Entrée pour la modifier</translation>
     </message>
 </context>
 <context>
@@ -594,7 +594,7 @@
     </message>
     <message>
         <source>The truth is known in simulated walks only: start the demonstration.</source>
-        <translation>La vérité n&apos;est connue que dans les parcours simulés : lancez la démonstration.</translation>
+        <translation>La vérité n&apos;est connue que dans les parcours simulés&#xa0;: lancez la démonstration.</translation>
     </message>
     <message>
         <source>this walk</source>
@@ -614,7 +614,7 @@
     </message>
     <message>
         <source>Check the library on the Landmarks page first (F7); landmarks need a real size.</source>
-        <translation>Vérifiez d&apos;abord la bibliothèque sur la page Repères (F7) ; les repères doivent avoir une taille réelle.</translation>
+        <translation>Vérifiez d&apos;abord la bibliothèque sur la page Repères (F7)&#xa0;; les repères doivent avoir une taille réelle.</translation>
     </message>
 </context>
 <context>
@@ -675,11 +675,11 @@
     </message>
     <message>
         <source>%1: %2</source>
-        <translation>%1 : %2</translation>
+        <translation>%1&#xa0;: %2</translation>
     </message>
     <message>
         <source>Rule: %1</source>
-        <translation>Règle : %1</translation>
+        <translation>Règle&#xa0;: %1</translation>
     </message>
     <message>
         <source>What was found</source>
@@ -741,7 +741,7 @@
     </message>
     <message>
         <source>Placed. A third point straightens a skewed image; Escape ends.</source>
-        <translation>Placée. Un troisième point redresse une image déformée ; Échap termine.</translation>
+        <translation>Placée. Un troisième point redresse une image déformée&#xa0;; Échap termine.</translation>
     </message>
     <message>
         <source>That is beside the image. Click a point of the image.</source>
@@ -781,11 +781,11 @@
     </message>
     <message>
         <source>The floor shows no image any more; its file stays</source>
-        <translation>L&apos;étage ne montre plus d&apos;image ; son fichier reste</translation>
+        <translation>L&apos;étage ne montre plus d&apos;image&#xa0;; son fichier reste</translation>
     </message>
     <message>
         <source>Ima&amp;ge:</source>
-        <translation>Ima&amp;ge :</translation>
+        <translation>Ima&amp;ge&#xa0;:</translation>
     </message>
 </context>
 <context>
@@ -845,11 +845,11 @@
     </message>
     <message>
         <source>In the picture: %1</source>
-        <translation>Dans l&apos;image : %1</translation>
+        <translation>Dans l&apos;image&#xa0;: %1</translation>
     </message>
     <message>
         <source>Spoken: %1</source>
-        <translation>Dit : %1</translation>
+        <translation>Dit&#xa0;: %1</translation>
     </message>
     <message>
         <source>%1 · %2 %</source>
@@ -857,7 +857,7 @@
     </message>
     <message>
         <source>%1: %2</source>
-        <translation>%1 : %2</translation>
+        <translation>%1&#xa0;: %2</translation>
     </message>
     <message>
         <source>No picture yet.
@@ -902,7 +902,7 @@ Ouvrez une caméra, une vidéo ou un dossier d&apos;images, puis appuyez sur Lec
     </message>
     <message>
         <source>Here a map of a building is opened or brought in, looked at, checked and changed. The plan and the table show the same: what is chosen in one is chosen in the other.</source>
-        <translation>Ici, on ouvre ou importe la carte d&apos;un bâtiment, on la regarde, la vérifie et la modifie. Le plan et le tableau montrent la même chose : ce qui est choisi dans l&apos;un l&apos;est dans l&apos;autre.</translation>
+        <translation>Ici, on ouvre ou importe la carte d&apos;un bâtiment, on la regarde, la vérifie et la modifie. Le plan et le tableau montrent la même chose&#xa0;: ce qui est choisi dans l&apos;un l&apos;est dans l&apos;autre.</translation>
     </message>
     <message>
         <source>F7 looks for what is wrong with the map and says what to do about each finding.</source>
@@ -922,23 +922,23 @@ Ouvrez une caméra, une vidéo ou un dossier d&apos;images, puis appuyez sur Lec
     </message>
     <message>
         <source>Here Farol is taught what it shall know again. Every change is saved by itself and can be taken back with Ctrl+Z; a landmark that is not finished is kept, also when the computer stops.</source>
-        <translation>Ici, on apprend à Farol ce qu&apos;il doit reconnaître. Chaque modification s&apos;enregistre d&apos;elle-même et s&apos;annule par Ctrl+Z ; un repère inachevé est gardé, même si l&apos;ordinateur s&apos;arrête.</translation>
+        <translation>Ici, on apprend à Farol ce qu&apos;il doit reconnaître. Chaque modification s&apos;enregistre d&apos;elle-même et s&apos;annule par Ctrl+Z&#xa0;; un repère inachevé est gardé, même si l&apos;ordinateur s&apos;arrête.</translation>
     </message>
     <message>
         <source>Ctrl+T teaches a landmark in four steps: what it is, its views, a trial, its place on the map.</source>
-        <translation>Ctrl+T apprend un repère en quatre étapes : ce que c&apos;est, ses vues, un essai, son emplacement sur la carte.</translation>
+        <translation>Ctrl+T apprend un repère en quatre étapes&#xa0;: ce que c&apos;est, ses vues, un essai, son emplacement sur la carte.</translation>
     </message>
     <message>
         <source>Take a view from the front, from the left, from the right and from farther away. The coach says what is wrong with a picture and which one comes next. Drag the four corners onto the landmark; by keys, 1 to 4 choose a corner and the arrows move it.</source>
-        <translation>Prenez une vue de face, de la gauche, de la droite et de plus loin. Le conseil dit ce qui ne va pas dans une image et laquelle vient ensuite. Glissez les quatre coins sur le repère ; au clavier, 1 à 4 choisissent un coin et les flèches le déplacent.</translation>
+        <translation>Prenez une vue de face, de la gauche, de la droite et de plus loin. Le conseil dit ce qui ne va pas dans une image et laquelle vient ensuite. Glissez les quatre coins sur le repère&#xa0;; au clavier, 1 à 4 choisissent un coin et les flèches le déplacent.</translation>
     </message>
     <message>
         <source>F7 checks the whole library: how well each landmark is found, how far away, how far aside, and which are taken for each other. Merge what is the same, and add views to what is lost.</source>
-        <translation>F7 vérifie toute la bibliothèque : si chaque repère est bien trouvé, de quelle distance, de quel côté, et lesquels sont confondus. Fusionnez ce qui est pareil, et ajoutez des vues à ce qui est perdu.</translation>
+        <translation>F7 vérifie toute la bibliothèque&#xa0;: si chaque repère est bien trouvé, de quelle distance, de quel côté, et lesquels sont confondus. Fusionnez ce qui est pareil, et ajoutez des vues à ce qui est perdu.</translation>
     </message>
     <message>
         <source>The kiosk is for a blind user who is alone: “farol --kiosk” fills the screen and says everything. Arrows and Enter choose a destination, letters search, F1 says the keys, Escape goes back.</source>
-        <translation>La borne est pour un utilisateur aveugle et seul : « farol --kiosk » remplit l&apos;écran et dit tout. Flèches et Entrée choisissent une destination, les lettres cherchent, F1 dit les touches, Échap revient.</translation>
+        <translation>La borne est pour un utilisateur aveugle et seul&#xa0;: «&#xa0;farol --kiosk&#xa0;» remplit l&apos;écran et dit tout. Flèches et Entrée choisissent une destination, les lettres cherchent, F1 dit les touches, Échap revient.</translation>
     </message>
     <message>
         <source>Space repeats, W says where you are, A what is around you, N what comes next, L the whole way. Plus and minus change the speed of the voice. Hold Escape to leave.</source>
@@ -946,7 +946,7 @@ Ouvrez une caméra, une vidéo ou un dossier d&apos;images, puis appuyez sur Lec
     </message>
     <message>
         <source>Here somebody is guided, and you watch: what the camera sees, the place on the map, what is said, and why.</source>
-        <translation>Ici, quelqu&apos;un est guidé et vous suivez : ce que voit la caméra, le lieu sur la carte, ce qui est dit, et pourquoi.</translation>
+        <translation>Ici, quelqu&apos;un est guidé et vous suivez&#xa0;: ce que voit la caméra, le lieu sur la carte, ce qui est dit, et pourquoi.</translation>
     </message>
     <message>
         <source>Ctrl+O opens the map of the building.</source>
@@ -982,11 +982,11 @@ Ouvrez une caméra, une vidéo ou un dossier d&apos;images, puis appuyez sur Lec
     </message>
     <message>
         <source>The timeline at the bottom looks back: drag it, or use the arrow keys. “Why there” explains the vote of the place that is chosen in the list.</source>
-        <translation>La ligne du temps, en bas, regarde en arrière : glissez-la, ou utilisez les flèches. « Pourquoi là » explique le vote du lieu choisi dans la liste.</translation>
+        <translation>La ligne du temps, en bas, regarde en arrière&#xa0;: glissez-la, ou utilisez les flèches. «&#xa0;Pourquoi là&#xa0;» explique le vote du lieu choisi dans la liste.</translation>
     </message>
     <message>
         <source>Ctrl+Shift+U marks from where no landmark is seen, and Ctrl+Shift+N lists the routes that are missing. Ctrl+Shift+I lays the image of a floor plan under the floor: click two points of it and where they belong.</source>
-        <translation>Ctrl+Maj+U marque d&apos;où l&apos;on ne voit aucun repère, et Ctrl+Maj+N énumère les itinéraires qui manquent. Ctrl+Maj+I pose l&apos;image d&apos;un plan sous l&apos;étage : cliquez sur deux de ses points et là où ils se trouvent.</translation>
+        <translation>Ctrl+Maj+U marque d&apos;où l&apos;on ne voit aucun repère, et Ctrl+Maj+N énumère les itinéraires qui manquent. Ctrl+Maj+I pose l&apos;image d&apos;un plan sous l&apos;étage&#xa0;: cliquez sur deux de ses points et là où ils se trouvent.</translation>
     </message>
 </context>
 <context>
@@ -1016,7 +1016,7 @@ Ouvrez une caméra, une vidéo ou un dossier d&apos;images, puis appuyez sur Lec
     </message>
     <message>
         <source>A file, a folder or a zip: IMDF, OpenStreetMap indoor, IndoorGML, per-floor Shapefiles, GeoJSON, GeoPackage, HULOP, WRLD. What is found wrong is told afterwards; nothing is written until you save.</source>
-        <translation>Un fichier, un dossier ou un zip : IMDF, OpenStreetMap d&apos;intérieur, IndoorGML, Shapefiles par étage, GeoJSON, GeoPackage, HULOP, WRLD. Les défauts trouvés sont dits ensuite ; rien n&apos;est écrit avant l&apos;enregistrement.</translation>
+        <translation>Un fichier, un dossier ou un zip&#xa0;: IMDF, OpenStreetMap d&apos;intérieur, IndoorGML, Shapefiles par étage, GeoJSON, GeoPackage, HULOP, WRLD. Les défauts trouvés sont dits ensuite&#xa0;; rien n&apos;est écrit avant l&apos;enregistrement.</translation>
     </message>
     <message>
         <source>&amp;File…</source>
@@ -1048,7 +1048,7 @@ Ouvrez une caméra, une vidéo ou un dossier d&apos;images, puis appuyez sur Lec
     </message>
     <message>
         <source>%1:</source>
-        <translation>%1 :</translation>
+        <translation>%1&#xa0;:</translation>
     </message>
     <message>
         <source>Map</source>
@@ -1080,7 +1080,7 @@ Ouvrez une caméra, une vidéo ou un dossier d&apos;images, puis appuyez sur Lec
     </message>
     <message>
         <source>Where the map leaves it open: filename, z, or the name of a column</source>
-        <translation>Si la carte ne le dit pas : filename, z ou le nom d&apos;une colonne</translation>
+        <translation>Si la carte ne le dit pas&#xa0;: filename, z ou le nom d&apos;une colonne</translation>
     </message>
     <message>
         <source>Profile</source>
@@ -1099,7 +1099,7 @@ Ouvrez une caméra, une vidéo ou un dossier d&apos;images, puis appuyez sur Lec
     <name>farol::ui::InstructionPanel</name>
     <message>
         <source>No destination chosen: places are told, no route.</source>
-        <translation>Aucune destination choisie : les lieux sont dits, sans itinéraire.</translation>
+        <translation>Aucune destination choisie&#xa0;: les lieux sont dits, sans itinéraire.</translation>
     </message>
     <message>
         <source>The route follows as soon as it is known where you are.</source>
@@ -1158,11 +1158,11 @@ Ouvrez une caméra, une vidéo ou un dossier d&apos;images, puis appuyez sur Lec
     </message>
     <message>
         <source>Next instruction: %1</source>
-        <translation>Prochaine instruction : %1</translation>
+        <translation>Prochaine instruction&#xa0;: %1</translation>
     </message>
     <message>
         <source>No sound: %1</source>
-        <translation>Pas de son : %1</translation>
+        <translation>Pas de son&#xa0;: %1</translation>
     </message>
 </context>
 <context>
@@ -1177,11 +1177,11 @@ Ouvrez une caméra, une vidéo ou un dossier d&apos;images, puis appuyez sur Lec
     </message>
     <message>
         <source>In the map: move it</source>
-        <translation>Sur la carte : la déplacer</translation>
+        <translation>Sur la carte&#xa0;: la déplacer</translation>
     </message>
     <message>
         <source>In the map: larger, smaller, whole floor</source>
-        <translation>Sur la carte : plus grand, plus petit, tout l&apos;étage</translation>
+        <translation>Sur la carte&#xa0;: plus grand, plus petit, tout l&apos;étage</translation>
     </message>
     <message>
         <source>Page Up, Page Down</source>
@@ -1189,7 +1189,7 @@ Ouvrez une caméra, une vidéo ou un dossier d&apos;images, puis appuyez sur Lec
     </message>
     <message>
         <source>In the map: the floor above, the floor below</source>
-        <translation>Sur la carte : l&apos;étage au-dessus, en dessous</translation>
+        <translation>Sur la carte&#xa0;: l&apos;étage au-dessus, en dessous</translation>
     </message>
     <message>
         <source>Alt + Arrows</source>
@@ -1197,7 +1197,7 @@ Ouvrez une caméra, une vidéo ou un dossier d&apos;images, puis appuyez sur Lec
     </message>
     <message>
         <source>In the plan: move what is chosen by 10 cm, with Shift by 1 m</source>
-        <translation>Sur le plan : déplacer la sélection de 10 cm, avec Maj de 1 m</translation>
+        <translation>Sur le plan&#xa0;: déplacer la sélection de 10 cm, avec Maj de 1 m</translation>
     </message>
     <message>
         <source>Tab</source>
@@ -1224,11 +1224,11 @@ Ouvrez une caméra, une vidéo ou un dossier d&apos;images, puis appuyez sur Lec
     </message>
     <message>
         <source>The landmarks cannot be loaded: I will hardly know where you are. Ask for help.</source>
-        <translation>Les repères ne peuvent pas être chargés : je ne saurai guère où vous êtes. Demandez de l&apos;aide.</translation>
+        <translation>Les repères ne peuvent pas être chargés&#xa0;: je ne saurai guère où vous êtes. Demandez de l&apos;aide.</translation>
     </message>
     <message>
         <source>The destination cannot be kept for a restart: the folder cannot be written.</source>
-        <translation>La destination ne peut pas être gardée pour un redémarrage : le dossier n&apos;est pas accessible en écriture.</translation>
+        <translation>La destination ne peut pas être gardée pour un redémarrage&#xa0;: le dossier n&apos;est pas accessible en écriture.</translation>
     </message>
     <message>
         <source>The chosen voice does not work. This is another one.</source>
@@ -1279,7 +1279,7 @@ Ouvrez une caméra, une vidéo ou un dossier d&apos;images, puis appuyez sur Lec
     </message>
     <message>
         <source>You were last here: %1.</source>
-        <translation>Votre dernière position était : %1.</translation>
+        <translation>Votre dernière position était&#xa0;: %1.</translation>
     </message>
     <message>
         <source>The camera works again.</source>
@@ -1305,8 +1305,8 @@ Ouvrez une caméra, une vidéo ou un dossier d&apos;images, puis appuyez sur Lec
         <source>%1: %n place(s). %2.</source>
         <extracomment>%1 &quot;Rooms&quot;, %2 the first of them</extracomment>
         <translation>
-            <numerusform>%1 : un lieu. %2.</numerusform>
-            <numerusform>%1 : %n lieux. %2.</numerusform>
+            <numerusform>%1&#xa0;: un lieu. %2.</numerusform>
+            <numerusform>%1&#xa0;: %n lieux. %2.</numerusform>
         </translation>
     </message>
     <message>
@@ -1322,8 +1322,8 @@ Ouvrez une caméra, une vidéo ou un dossier d&apos;images, puis appuyez sur Lec
         <comment>while typing</comment>
         <extracomment>%1 the letter just typed</extracomment>
         <translation>
-            <numerusform>%1 : un lieu.</numerusform>
-            <numerusform>%1 : %n lieux.</numerusform>
+            <numerusform>%1&#xa0;: un lieu.</numerusform>
+            <numerusform>%1&#xa0;: %n lieux.</numerusform>
         </translation>
     </message>
     <message>
@@ -1332,11 +1332,11 @@ Ouvrez une caméra, une vidéo ou un dossier d&apos;images, puis appuyez sur Lec
     </message>
     <message>
         <source>Deleted: %1. %2</source>
-        <translation>Effacé : %1. %2</translation>
+        <translation>Effacé&#xa0;: %1. %2</translation>
     </message>
     <message>
         <source>%1 %2. Enter: go there. Arrow down: next.</source>
-        <translation>%1 %2. Entrée : y aller. Flèche bas : suivant.</translation>
+        <translation>%1 %2. Entrée&#xa0;: y aller. Flèche bas&#xa0;: suivant.</translation>
     </message>
     <message>
         <source>Nothing is chosen yet. Press arrow down to hear the places.</source>
@@ -1352,12 +1352,12 @@ Ouvrez une caméra, une vidéo ou un dossier d&apos;images, puis appuyez sur Lec
     </message>
     <message>
         <source>This key does nothing. Escape: back.</source>
-        <translation>Cette touche ne fait rien. Échap : retour.</translation>
+        <translation>Cette touche ne fait rien. Échap&#xa0;: retour.</translation>
     </message>
     <message>
         <source>%1: %2.</source>
         <extracomment>%1 a key, %2 what it does</extracomment>
-        <translation>%1 : %2.</translation>
+        <translation>%1&#xa0;: %2.</translation>
     </message>
     <message>
         <source>Back to the kinds of places.</source>
@@ -1414,8 +1414,8 @@ Ouvrez une caméra, une vidéo ou un dossier d&apos;images, puis appuyez sur Lec
     <message numerus="yes">
         <source>%1: %n place(s). Space: first place.</source>
         <translation>
-            <numerusform>%1 : un lieu. Espace : premier lieu.</numerusform>
-            <numerusform>%1 : %n lieux. Espace : premier lieu.</numerusform>
+            <numerusform>%1&#xa0;: un lieu. Espace&#xa0;: premier lieu.</numerusform>
+            <numerusform>%1&#xa0;: %n lieux. Espace&#xa0;: premier lieu.</numerusform>
         </translation>
     </message>
     <message>
@@ -1426,45 +1426,45 @@ Ouvrez une caméra, une vidéo ou un dossier d&apos;images, puis appuyez sur Lec
     <message numerus="yes">
         <source>Choose a destination: %n place(s).</source>
         <translation>
-            <numerusform>Choisissez une destination : un lieu.</numerusform>
-            <numerusform>Choisissez une destination : %n lieux.</numerusform>
+            <numerusform>Choisissez une destination&#xa0;: un lieu.</numerusform>
+            <numerusform>Choisissez une destination&#xa0;: %n lieux.</numerusform>
         </translation>
     </message>
     <message>
         <source>Space: next. Enter: take it.</source>
-        <translation>Espace : suivant. Entrée : choisir.</translation>
+        <translation>Espace&#xa0;: suivant. Entrée&#xa0;: choisir.</translation>
     </message>
     <message>
         <source>Arrow down: first place. F: type a name. F1: all keys.</source>
-        <translation>Flèche bas : premier lieu. F : taper un nom. F1 : toutes les touches.</translation>
+        <translation>Flèche bas&#xa0;: premier lieu. F&#xa0;: taper un nom. F1&#xa0;: toutes les touches.</translation>
     </message>
     <message>
         <source>To: %1.</source>
-        <translation>Destination : %1.</translation>
+        <translation>Destination&#xa0;: %1.</translation>
     </message>
     <message>
         <source>I do not know yet where you are, and look for it on the way.</source>
-        <translation>Je ne sais pas encore où vous êtes ; je le chercherai en chemin.</translation>
+        <translation>Je ne sais pas encore où vous êtes&#xa0;; je le chercherai en chemin.</translation>
     </message>
     <message>
         <source>Space: choices.</source>
-        <translation>Espace : choix.</translation>
+        <translation>Espace&#xa0;: choix.</translation>
     </message>
     <message>
         <source>Enter: start. L: the whole way. Escape: another place.</source>
-        <translation>Entrée : commencer. L : tout le chemin. Échap : un autre lieu.</translation>
+        <translation>Entrée&#xa0;: commencer. L&#xa0;: tout le chemin. Échap&#xa0;: un autre lieu.</translation>
     </message>
     <message>
         <source>Stop the guidance?</source>
-        <translation>Arrêter le guidage ?</translation>
+        <translation>Arrêter le guidage&#xa0;?</translation>
     </message>
     <message>
         <source>Leave Farol?</source>
-        <translation>Quitter Farol ?</translation>
+        <translation>Quitter Farol&#xa0;?</translation>
     </message>
     <message>
         <source>Enter or Escape: yes. Any other key: no.</source>
-        <translation>Entrée ou Échap : oui. Toute autre touche : non.</translation>
+        <translation>Entrée ou Échap&#xa0;: oui. Toute autre touche&#xa0;: non.</translation>
     </message>
     <message>
         <source>No camera is set up, and I cannot guide you. Ask for help.</source>
@@ -1476,7 +1476,7 @@ Ouvrez une caméra, une vidéo ou un dossier d&apos;images, puis appuyez sur Lec
     </message>
     <message>
         <source>Stop. The camera gives no pictures, and I cannot guide you. Enter: try again.</source>
-        <translation>Arrêtez-vous. La caméra ne donne pas d&apos;images, et je ne peux pas vous guider. Entrée : réessayer.</translation>
+        <translation>Arrêtez-vous. La caméra ne donne pas d&apos;images, et je ne peux pas vous guider. Entrée&#xa0;: réessayer.</translation>
     </message>
     <message>
         <source>The camera gives no pictures. I try it again when you start.</source>
@@ -1484,13 +1484,13 @@ Ouvrez une caméra, une vidéo ou un dossier d&apos;images, puis appuyez sur Lec
     </message>
     <message>
         <source>No place fits: %1. Delete letters, or press Escape.</source>
-        <translation>Aucun lieu ne correspond : %1. Effacez des lettres ou appuyez sur Échap.</translation>
+        <translation>Aucun lieu ne correspond&#xa0;: %1. Effacez des lettres ou appuyez sur Échap.</translation>
     </message>
     <message numerus="yes">
         <source>%n place(s) fit: %1.</source>
         <translation>
-            <numerusform>Un lieu correspond : %1.</numerusform>
-            <numerusform>%n lieux correspondent : %1.</numerusform>
+            <numerusform>Un lieu correspond&#xa0;: %1.</numerusform>
+            <numerusform>%n lieux correspondent&#xa0;: %1.</numerusform>
         </translation>
     </message>
     <message>
@@ -1507,11 +1507,11 @@ Ouvrez une caméra, une vidéo ou un dossier d&apos;images, puis appuyez sur Lec
     </message>
     <message>
         <source>On the way to: %1.</source>
-        <translation>En route vers : %1.</translation>
+        <translation>En route vers&#xa0;: %1.</translation>
     </message>
     <message>
         <source>You have arrived: %1. Enter: another destination.</source>
-        <translation>Vous êtes à destination : %1. Entrée : une autre destination.</translation>
+        <translation>Vous êtes à destination&#xa0;: %1. Entrée&#xa0;: une autre destination.</translation>
     </message>
     <message>
         <source>Goodbye.</source>
@@ -1519,7 +1519,7 @@ Ouvrez une caméra, une vidéo ou un dossier d&apos;images, puis appuyez sur Lec
     </message>
     <message>
         <source>Quiet: I tell only warnings and what you ask. M: speak again.</source>
-        <translation>Silence : je ne dis que les alertes et ce que vous demandez. M : parler de nouveau.</translation>
+        <translation>Silence&#xa0;: je ne dis que les alertes et ce que vous demandez. M&#xa0;: parler de nouveau.</translation>
     </message>
     <message>
         <source>I tell everything again.</source>
@@ -1535,7 +1535,7 @@ Ouvrez une caméra, une vidéo ou un dossier d&apos;images, puis appuyez sur Lec
     </message>
     <message>
         <source>Two keys: space goes through the choices, Enter takes one. F4: all keys again.</source>
-        <translation>Deux touches : espace parcourt les choix, Entrée en prend un. F4 : de nouveau toutes les touches.</translation>
+        <translation>Deux touches&#xa0;: espace parcourt les choix, Entrée en prend un. F4&#xa0;: de nouveau toutes les touches.</translation>
     </message>
     <message>
         <source>All keys are in use again.</source>
@@ -1547,19 +1547,19 @@ Ouvrez une caméra, une vidéo ou un dossier d&apos;images, puis appuyez sur Lec
     </message>
     <message>
         <source>Where to? %1</source>
-        <translation>Où aller ? %1</translation>
+        <translation>Où aller&#xa0;? %1</translation>
     </message>
     <message>
         <source>Search: %1</source>
-        <translation>Recherche : %1</translation>
+        <translation>Recherche&#xa0;: %1</translation>
     </message>
     <message>
         <source>The way to %1</source>
-        <translation>Chemin : %1</translation>
+        <translation>Chemin&#xa0;: %1</translation>
     </message>
     <message>
         <source>Walking to %1</source>
-        <translation>En route : %1</translation>
+        <translation>En route&#xa0;: %1</translation>
     </message>
     <message>
         <source>Arrived</source>
@@ -1567,11 +1567,11 @@ Ouvrez une caméra, une vidéo ou un dossier d&apos;images, puis appuyez sur Lec
     </message>
     <message>
         <source>Stop?</source>
-        <translation>Arrêter ?</translation>
+        <translation>Arrêter&#xa0;?</translation>
     </message>
     <message>
         <source>Leave?</source>
-        <translation>Quitter ?</translation>
+        <translation>Quitter&#xa0;?</translation>
     </message>
     <message>
         <source>Keys</source>
@@ -1583,39 +1583,39 @@ Ouvrez une caméra, une vidéo ou un dossier d&apos;images, puis appuyez sur Lec
     </message>
     <message>
         <source>Space: next   Enter: take   F4: all keys</source>
-        <translation>Espace : suivant   Entrée : choisir   F4 : touches</translation>
+        <translation>Espace&#xa0;: suivant   Entrée&#xa0;: choisir   F4&#xa0;: touches</translation>
     </message>
     <message>
         <source>Arrows: places   Enter: go   F: search   F1: keys</source>
-        <translation>Flèches : lieux   Entrée : aller   F : chercher   F1 : touches</translation>
+        <translation>Flèches&#xa0;: lieux   Entrée&#xa0;: aller   F&#xa0;: chercher   F1&#xa0;: touches</translation>
     </message>
     <message>
         <source>Enter: done   Esc: back</source>
-        <translation>Entrée : terminé   Échap : retour</translation>
+        <translation>Entrée&#xa0;: terminé   Échap&#xa0;: retour</translation>
     </message>
     <message>
         <source>Enter: start   L: whole way   Esc: back</source>
-        <translation>Entrée : commencer   L : tout   Échap : retour</translation>
+        <translation>Entrée&#xa0;: commencer   L&#xa0;: tout   Échap&#xa0;: retour</translation>
     </message>
     <message>
         <source>Space: again   W: where am I   Esc: stop</source>
-        <translation>Espace : répéter   W : où suis-je   Échap : arrêter</translation>
+        <translation>Espace&#xa0;: répéter   W&#xa0;: où suis-je   Échap&#xa0;: arrêter</translation>
     </message>
     <message>
         <source>Enter: another destination</source>
-        <translation>Entrée : une autre destination</translation>
+        <translation>Entrée&#xa0;: une autre destination</translation>
     </message>
     <message>
         <source>Enter: yes   any other key: no</source>
-        <translation>Entrée : oui   autre touche : non</translation>
+        <translation>Entrée&#xa0;: oui   autre touche&#xa0;: non</translation>
     </message>
     <message>
         <source>Esc: back   F1: number pad</source>
-        <translation>Échap : retour   F1 : pavé numérique</translation>
+        <translation>Échap&#xa0;: retour   F1&#xa0;: pavé numérique</translation>
     </message>
     <message>
         <source>Esc: leave   F1: keys</source>
-        <translation>Échap : quitter   F1 : touches</translation>
+        <translation>Échap&#xa0;: quitter   F1&#xa0;: touches</translation>
     </message>
 </context>
 <context>
@@ -1744,7 +1744,7 @@ Ouvrez une caméra, une vidéo ou un dossier d&apos;images, puis appuyez sur Lec
     </message>
     <message>
         <source>back; hold it down to leave</source>
-        <translation>retour ; maintenez-la appuyée pour quitter</translation>
+        <translation>retour&#xa0;; maintenez-la appuyée pour quitter</translation>
     </message>
     <message>
         <source>say again</source>
@@ -1808,15 +1808,15 @@ Ouvrez une caméra, une vidéo ou un dossier d&apos;images, puis appuyez sur Lec
     </message>
     <message>
         <source>Keys. Press one to hear what it does; F1: number pad; Escape: back.</source>
-        <translation>Touches. Appuyez sur l&apos;une pour entendre ce qu&apos;elle fait ; F1 : pavé numérique ; Échap : retour.</translation>
+        <translation>Touches. Appuyez sur l&apos;une pour entendre ce qu&apos;elle fait&#xa0;; F1&#xa0;: pavé numérique&#xa0;; Échap&#xa0;: retour.</translation>
     </message>
     <message>
         <source>Number pad. 8 and 2: up and down. 4 and 6: left and right. 5 or Enter: choose. 0: say again. 1: where am I. 3: around me. 7: what comes next. 9: the whole way. Plus and minus: speed. Star: keys. Slash: quiet. Point: back.</source>
-        <translation>Pavé numérique. 8 et 2 : haut et bas. 4 et 6 : gauche et droite. 5 ou Entrée : choisir. 0 : répéter. 1 : où suis-je. 3 : autour de moi. 7 : ce qui vient ensuite. 9 : tout le chemin. Plus et moins : vitesse. Étoile : touches. Barre oblique : silence. Point : retour.</translation>
+        <translation>Pavé numérique. 8 et 2&#xa0;: haut et bas. 4 et 6&#xa0;: gauche et droite. 5 ou Entrée&#xa0;: choisir. 0&#xa0;: répéter. 1&#xa0;: où suis-je. 3&#xa0;: autour de moi. 7&#xa0;: ce qui vient ensuite. 9&#xa0;: tout le chemin. Plus et moins&#xa0;: vitesse. Étoile&#xa0;: touches. Barre oblique&#xa0;: silence. Point&#xa0;: retour.</translation>
     </message>
     <message>
         <source>This key does nothing here. F1: all keys.</source>
-        <translation>Cette touche ne fait rien ici. F1 : toutes les touches.</translation>
+        <translation>Cette touche ne fait rien ici. F1&#xa0;: toutes les touches.</translation>
     </message>
     <message>
         <source>I tell directions only.</source>
@@ -1832,7 +1832,7 @@ Ouvrez une caméra, une vidéo ou un dossier d&apos;images, puis appuyez sur Lec
     </message>
     <message>
         <source>Directions as left and right.</source>
-        <translation>Directions : gauche et droite.</translation>
+        <translation>Directions&#xa0;: gauche et droite.</translation>
     </message>
     <message>
         <source>Directions as on a clock.</source>
@@ -1899,7 +1899,7 @@ Ouvrez une caméra, une vidéo ou un dossier d&apos;images, puis appuyez sur Lec
     </message>
     <message>
         <source>The way it faces: 0 is east, 90 north, 180 west, 270 south</source>
-        <translation>Vers où il est tourné : 0 est, 90 nord, 180 ouest, 270 sud</translation>
+        <translation>Vers où il est tourné&#xa0;: 0 est, 90 nord, 180 ouest, 270 sud</translation>
     </message>
     <message>
         <source>Height above the floor</source>
@@ -1915,7 +1915,7 @@ Ouvrez une caméra, une vidéo ou un dossier d&apos;images, puis appuyez sur Lec
     </message>
     <message>
         <source>How wide it is: its distance is told from that</source>
-        <translation>Sa largeur : sa distance en est déduite</translation>
+        <translation>Sa largeur&#xa0;: sa distance en est déduite</translation>
     </message>
     <message>
         <source>Its own height</source>
@@ -1946,7 +1946,7 @@ Ouvrez une caméra, une vidéo ou un dossier d&apos;images, puis appuyez sur Lec
     <name>farol::ui::LibraryDocument</name>
     <message>
         <source>The library was changed meanwhile; try again.</source>
-        <translation>La bibliothèque a changé entre-temps ; réessayez.</translation>
+        <translation>La bibliothèque a changé entre-temps&#xa0;; réessayez.</translation>
     </message>
 </context>
 <context>
@@ -1969,7 +1969,7 @@ Ouvrez une caméra, une vidéo ou un dossier d&apos;images, puis appuyez sur Lec
     </message>
     <message>
         <source>In maps called “%1”</source>
-        <translation>Appelé « %1 » dans les cartes</translation>
+        <translation>Appelé «&#xa0;%1&#xa0;» dans les cartes</translation>
     </message>
     <message>
         <source>Landmark</source>
@@ -2000,7 +2000,7 @@ Ouvrez une caméra, une vidéo ou un dossier d&apos;images, puis appuyez sur Lec
     </message>
     <message>
         <source>Not checked yet. “Check all” looks how well each landmark is found.</source>
-        <translation>Pas encore vérifié. « Tout vérifier » regarde si chaque repère est bien trouvé.</translation>
+        <translation>Pas encore vérifié. «&#xa0;Tout vérifier&#xa0;» regarde si chaque repère est bien trouvé.</translation>
     </message>
     <message>
         <source>View %1</source>
@@ -2008,11 +2008,11 @@ Ouvrez une caméra, une vidéo ou un dossier d&apos;images, puis appuyez sur Lec
     </message>
     <message>
         <source>Each view is held back once and looked for with the others; then each landmark is shown smaller and turned.</source>
-        <translation>Chaque vue est mise de côté une fois et cherchée avec les autres ; ensuite chaque repère est montré plus petit et tourné.</translation>
+        <translation>Chaque vue est mise de côté une fois et cherchée avec les autres&#xa0;; ensuite chaque repère est montré plus petit et tourné.</translation>
     </message>
     <message>
         <source>Not checked yet. “Check all” looks how well each landmark is found, and which are taken for each other.</source>
-        <translation>Pas encore vérifié. « Tout vérifier » regarde si chaque repère est bien trouvé et lesquels sont confondus.</translation>
+        <translation>Pas encore vérifié. «&#xa0;Tout vérifier&#xa0;» regarde si chaque repère est bien trouvé et lesquels sont confondus.</translation>
     </message>
     <message>
         <source>All landmarks are found well.</source>
@@ -2038,11 +2038,11 @@ Ouvrez une caméra, une vidéo ou un dossier d&apos;images, puis appuyez sur Lec
     </message>
     <message>
         <source>Rows: whose picture was shown. Columns: what was seen in it. On the diagonal: views found again.</source>
-        <translation>Lignes : de qui venait l&apos;image montrée. Colonnes : ce qui y a été vu. Sur la diagonale : vues retrouvées.</translation>
+        <translation>Lignes&#xa0;: de qui venait l&apos;image montrée. Colonnes&#xa0;: ce qui y a été vu. Sur la diagonale&#xa0;: vues retrouvées.</translation>
     </message>
     <message>
         <source>The library was changed since: check again.</source>
-        <translation>La bibliothèque a changé depuis : vérifiez-la de nouveau.</translation>
+        <translation>La bibliothèque a changé depuis&#xa0;: vérifiez-la de nouveau.</translation>
     </message>
     <message numerus="yes">
         <source>%n landmark(s)</source>
@@ -2057,7 +2057,7 @@ Ouvrez une caméra, une vidéo ou un dossier d&apos;images, puis appuyez sur Lec
     </message>
     <message>
         <source>This library is empty. “Teach” begins with the first landmark.</source>
-        <translation>Cette bibliothèque est vide. « Apprendre » commence par le premier repère.</translation>
+        <translation>Cette bibliothèque est vide. «&#xa0;Apprendre&#xa0;» commence par le premier repère.</translation>
     </message>
     <message>
         <source>Open a landmark library, or make a new one, to teach Farol what it shall know again.</source>
@@ -2069,7 +2069,7 @@ Ouvrez une caméra, une vidéo ou un dossier d&apos;images, puis appuyez sur Lec
     </message>
     <message>
         <source>The landmarks that Farol was taught; press Enter to add views to one</source>
-        <translation>Les repères appris à Farol ; appuyez sur Entrée pour ajouter des vues à l&apos;un d&apos;eux</translation>
+        <translation>Les repères appris à Farol&#xa0;; appuyez sur Entrée pour ajouter des vues à l&apos;un d&apos;eux</translation>
     </message>
     <message>
         <source>Views of the landmark</source>
@@ -2077,11 +2077,11 @@ Ouvrez une caméra, une vidéo ou un dossier d&apos;images, puis appuyez sur Lec
     </message>
     <message>
         <source>The photographs it is learnt from; choose some of them to split or to delete them</source>
-        <translation>Les photographies dont il est appris ; choisissez-en pour les séparer ou les supprimer</translation>
+        <translation>Les photographies dont il est appris&#xa0;; choisissez-en pour les séparer ou les supprimer</translation>
     </message>
     <message>
         <source>&amp;Views:</source>
-        <translation>&amp;Vues :</translation>
+        <translation>&amp;Vues&#xa0;:</translation>
     </message>
     <message>
         <source>Landmark</source>
@@ -2129,7 +2129,7 @@ Ouvrez une caméra, une vidéo ou un dossier d&apos;images, puis appuyez sur Lec
     </message>
     <message>
         <source>Rows: whose picture was shown. Columns: what was seen in it.</source>
-        <translation>Lignes : de qui venait l&apos;image montrée. Colonnes : ce qui y a été vu.</translation>
+        <translation>Lignes&#xa0;: de qui venait l&apos;image montrée. Colonnes&#xa0;: ce qui y a été vu.</translation>
     </message>
 </context>
 <context>
@@ -2172,7 +2172,7 @@ Ouvrez une caméra, une vidéo ou un dossier d&apos;images, puis appuyez sur Lec
     </message>
     <message>
         <source>The map as a list; press Enter on a place to go there</source>
-        <translation>La carte sous forme de liste ; appuyez sur Entrée sur un lieu pour y aller</translation>
+        <translation>La carte sous forme de liste&#xa0;; appuyez sur Entrée sur un lieu pour y aller</translation>
     </message>
     <message>
         <source>Lists</source>
@@ -2226,7 +2226,7 @@ Ouvrez une caméra, une vidéo ou un dossier d&apos;images, puis appuyez sur Lec
 Guides a blind person through a building with one ordinary camera: it recognises what it was taught, works out the place, and speaks the way.</source>
         <translation>Farol %1
 
-Guide une personne aveugle dans un bâtiment avec une simple caméra : il reconnaît ce qu&apos;on lui a appris, trouve le lieu et dit le chemin.</translation>
+Guide une personne aveugle dans un bâtiment avec une simple caméra&#xa0;: il reconnaît ce qu&apos;on lui a appris, trouve le lieu et dit le chemin.</translation>
     </message>
     <message>
         <source>Ready</source>
@@ -2258,7 +2258,7 @@ Guide une personne aveugle dans un bâtiment avec une simple caméra : il recon
     </message>
     <message>
         <source>The walk has ended: there are no more pictures.</source>
-        <translation>Le parcours est terminé : il n&apos;y a plus d&apos;images.</translation>
+        <translation>Le parcours est terminé&#xa0;: il n&apos;y a plus d&apos;images.</translation>
     </message>
     <message>
         <source>Play &amp;again</source>
@@ -2282,7 +2282,7 @@ Guide une personne aveugle dans un bâtiment avec une simple caméra : il recon
     </message>
     <message>
         <source>This walk is recorded to its end; the next one is not.</source>
-        <translation>Ce parcours est enregistré jusqu&apos;à sa fin ; le suivant ne l&apos;est pas.</translation>
+        <translation>Ce parcours est enregistré jusqu&apos;à sa fin&#xa0;; le suivant ne l&apos;est pas.</translation>
     </message>
     <message>
         <source>Start &amp;again now</source>
@@ -2358,7 +2358,7 @@ Guide une personne aveugle dans un bâtiment avec une simple caméra : il recon
     </message>
     <message>
         <source>The landmark library could not be written; its last changes would be lost.</source>
-        <translation>La bibliothèque de repères n&apos;a pas pu être écrite ; ses dernières modifications seraient perdues.</translation>
+        <translation>La bibliothèque de repères n&apos;a pas pu être écrite&#xa0;; ses dernières modifications seraient perdues.</translation>
     </message>
     <message>
         <source>&amp;Leave all the same</source>
@@ -2382,11 +2382,11 @@ Guide une personne aveugle dans un bâtiment avec une simple caméra : il recon
     </message>
     <message>
         <source>Choose a place on the map, or in the list “Where it could be”, first.</source>
-        <translation>Choisissez d&apos;abord un lieu sur la carte, ou dans la liste « Où cela pourrait être ».</translation>
+        <translation>Choisissez d&apos;abord un lieu sur la carte, ou dans la liste «&#xa0;Où cela pourrait être&#xa0;».</translation>
     </message>
     <message>
         <source>The user is in %1: told by you.</source>
-        <translation>L&apos;utilisateur est ici : %1 : dit par vous.</translation>
+        <translation>L&apos;utilisateur est ici&#xa0;: %1&#xa0;: dit par vous.</translation>
     </message>
     <message>
         <source>The place is given up and looked for anew.</source>
@@ -2398,7 +2398,7 @@ Guide une personne aveugle dans un bâtiment avec une simple caméra : il recon
     </message>
     <message>
         <source>Sentence that is spoken to the user:</source>
-        <translation>Phrase dite à l&apos;utilisateur :</translation>
+        <translation>Phrase dite à l&apos;utilisateur&#xa0;:</translation>
     </message>
     <message>
         <source>&amp;Say it</source>
@@ -2739,7 +2739,7 @@ Guide une personne aveugle dans un bâtiment avec une simple caméra : il recon
     </message>
     <message>
         <source>Save them first?</source>
-        <translation>Les enregistrer d&apos;abord ?</translation>
+        <translation>Les enregistrer d&apos;abord&#xa0;?</translation>
     </message>
     <message>
         <source>Imported from %1. Look at what was found, then save it as a map of Farol.</source>
@@ -2787,7 +2787,7 @@ Guide une personne aveugle dans un bâtiment avec une simple caméra : il recon
     </message>
     <message>
         <source>Give up; the map that was open stays</source>
-        <translation>Renoncer ; la carte ouverte reste</translation>
+        <translation>Renoncer&#xa0;; la carte ouverte reste</translation>
     </message>
     <message>
         <source>Click where the landmark stands, or move the plan under the cross with the arrows and press Enter. Escape gives up.</source>
@@ -2815,7 +2815,7 @@ Guide une personne aveugle dans un bâtiment avec une simple caméra : il recon
     </message>
     <message>
         <source>Deleted: %1. Ctrl+Z brings it back.</source>
-        <translation>Supprimé : %1. Ctrl+Z le ramène.</translation>
+        <translation>Supprimé&#xa0;: %1. Ctrl+Z le ramène.</translation>
     </message>
     <message>
         <source>Move %1</source>
@@ -2847,7 +2847,7 @@ Guide une personne aveugle dans un bâtiment avec une simple caméra : il recon
     </message>
     <message>
         <source>Another program has changed the file of this map. You have changes of your own: loading it again puts them aside, and Ctrl+Z brings them back.</source>
-        <translation>Un autre programme a modifié le fichier de ce plan. Vous avez vos propres modifications : le charger à nouveau les met de côté, et Ctrl+Z les ramène.</translation>
+        <translation>Un autre programme a modifié le fichier de ce plan. Vous avez vos propres modifications&#xa0;: le charger à nouveau les met de côté, et Ctrl+Z les ramène.</translation>
     </message>
     <message>
         <source>Another program has changed the file of this map.</source>
@@ -2859,11 +2859,11 @@ Guide une personne aveugle dans un bâtiment avec une simple caméra : il recon
     </message>
     <message>
         <source>The file %1 is no longer there. The map stays open here: save it, or it is lost when you leave.</source>
-        <translation>Le fichier %1 n’est plus là. Le plan reste ouvert ici : enregistrez-le, sinon il sera perdu quand vous quitterez.</translation>
+        <translation>Le fichier %1 n’est plus là. Le plan reste ouvert ici&#xa0;: enregistrez-le, sinon il sera perdu quand vous quitterez.</translation>
     </message>
     <message>
         <source>Another program has changed the file of this map, and it cannot be read any more (%1). The map stays open here as it was: save it under another name.</source>
-        <translation>Un autre programme a modifié le fichier de ce plan, qui n’est plus lisible (%1). Le plan reste ouvert ici tel qu’il était : enregistrez-le sous un autre nom.</translation>
+        <translation>Un autre programme a modifié le fichier de ce plan, qui n’est plus lisible (%1). Le plan reste ouvert ici tel qu’il était&#xa0;: enregistrez-le sous un autre nom.</translation>
     </message>
     <message>
         <source>Not saved yet</source>
@@ -2917,19 +2917,19 @@ Guide une personne aveugle dans un bâtiment avec une simple caméra : il recon
     </message>
     <message>
         <source>You are in %1, %2: %3.</source>
-        <translation>Vous êtes ici : %1, %2 : %3.</translation>
+        <translation>Vous êtes ici&#xa0;: %1, %2&#xa0;: %3.</translation>
     </message>
     <message>
         <source>You are in %1: %2.</source>
-        <translation>Vous êtes ici : %1 : %2.</translation>
+        <translation>Vous êtes ici&#xa0;: %1&#xa0;: %2.</translation>
     </message>
     <message>
         <source>&amp;Go to %1</source>
-        <translation>&amp;Aller à : %1</translation>
+        <translation>&amp;Aller à&#xa0;: %1</translation>
     </message>
     <message>
         <source>&amp;Start at %1</source>
-        <translation>&amp;Partir de : %1</translation>
+        <translation>&amp;Partir de&#xa0;: %1</translation>
     </message>
     <message>
         <source>Map</source>
@@ -2937,7 +2937,7 @@ Guide une personne aveugle dans un bâtiment avec une simple caméra : il recon
     </message>
     <message>
         <source>&amp;Level:</source>
-        <translation>&amp;Niveau :</translation>
+        <translation>&amp;Niveau&#xa0;:</translation>
     </message>
     <message>
         <source>Level of the map</source>
@@ -2981,11 +2981,11 @@ Guide une personne aveugle dans un bâtiment avec une simple caméra : il recon
     </message>
     <message>
         <source>Taken to be in %1: %2. Really in %3.</source>
-        <translation>Supposé ici : %1 : %2. En réalité ici : %3.</translation>
+        <translation>Supposé ici&#xa0;: %1&#xa0;: %2. En réalité ici&#xa0;: %3.</translation>
     </message>
     <message>
         <source>The user &amp;is here, in %1</source>
-        <translation>L&apos;utilisateur &amp;est ici : %1</translation>
+        <translation>L&apos;utilisateur &amp;est ici&#xa0;: %1</translation>
     </message>
 </context>
 <context>
@@ -3037,7 +3037,7 @@ Ouvrez-en une avec Ctrl+O.</translation>
     </message>
     <message>
         <source>Places between which no route leads; Enter shows the chosen one on the plan</source>
-        <translation>Lieux qu&apos;aucun itinéraire ne relie ; Entrée montre celui qui est choisi sur le plan</translation>
+        <translation>Lieux qu&apos;aucun itinéraire ne relie&#xa0;; Entrée montre celui qui est choisi sur le plan</translation>
     </message>
     <message>
         <source>Show on the plan</source>
@@ -3065,8 +3065,8 @@ Ouvrez-en une avec Ctrl+O.</translation>
     <message numerus="yes">
         <source>%n more line(s) are not listed: mend these first.</source>
         <translation>
-            <numerusform>%n ligne de plus n&apos;est pas montrée : corrigez d&apos;abord celles-ci.</numerusform>
-            <numerusform>%n lignes de plus ne sont pas montrées : corrigez d&apos;abord celles-ci.</numerusform>
+            <numerusform>%n ligne de plus n&apos;est pas montrée&#xa0;: corrigez d&apos;abord celles-ci.</numerusform>
+            <numerusform>%n lignes de plus ne sont pas montrées&#xa0;: corrigez d&apos;abord celles-ci.</numerusform>
         </translation>
     </message>
     <message>
@@ -3122,11 +3122,11 @@ Ouvrez-en une avec Ctrl+O.</translation>
     </message>
     <message>
         <source>The map joins %1 and %2 in no way.</source>
-        <translation>La carte ne relie %1 et %2 d'aucune façon.</translation>
+        <translation>La carte ne relie %1 et %2 d&apos;aucune façon.</translation>
     </message>
     <message>
         <source>%1 is reached only by what is to be avoided: %2.</source>
-        <translation>On n'arrive à %1 que par ce qui est à éviter : %2.</translation>
+        <translation>On n&apos;arrive à %1 que par ce qui est à éviter&#xa0;: %2.</translation>
     </message>
     <message>
         <source> or </source>
@@ -3149,7 +3149,7 @@ Ouvrez-en une avec Ctrl+O.</translation>
     </message>
     <message>
         <source>Say “now” within</source>
-        <translation>Dire « maintenant » à moins de</translation>
+        <translation>Dire «&#xa0;maintenant&#xa0;» à moins de</translation>
     </message>
     <message>
         <source>Reassure every</source>
@@ -3256,7 +3256,7 @@ Ouvrez-en une avec Ctrl+O.</translation>
     </message>
     <message>
         <source>%1:</source>
-        <translation>%1 :</translation>
+        <translation>%1&#xa0;:</translation>
     </message>
 </context>
 <context>
@@ -3295,7 +3295,7 @@ Ouvrez-en une avec Ctrl+O.</translation>
     <message>
         <source>I read: %1. %2.</source>
         <extracomment>%1 what is written there, %2 &quot;left, up&quot;</extracomment>
-        <translation>Je lis : %1. %2.</translation>
+        <translation>Je lis&#xa0;: %1. %2.</translation>
     </message>
     <message>
         <source>I have found the way.</source>
@@ -3303,7 +3303,7 @@ Ouvrez-en une avec Ctrl+O.</translation>
     </message>
     <message>
         <source>Destination: %1.</source>
-        <translation>Destination : %1.</translation>
+        <translation>Destination&#xa0;: %1.</translation>
     </message>
     <message>
         <source>Then</source>
@@ -3319,12 +3319,12 @@ Ouvrez-en une avec Ctrl+O.</translation>
     </message>
     <message>
         <source>Start slowly: I will tell you if it is the wrong way.</source>
-        <translation>Commencez lentement : je vous dirai si c&apos;est le mauvais sens.</translation>
+        <translation>Commencez lentement&#xa0;: je vous dirai si c&apos;est le mauvais sens.</translation>
     </message>
     <message>
         <source>Probably %1 first.</source>
         <extracomment>%1 &quot;turn left&quot;, &quot;turn around&quot;</extracomment>
-        <translation>D&apos;abord, probablement : %1.</translation>
+        <translation>D&apos;abord, probablement&#xa0;: %1.</translation>
     </message>
     <message>
         <source>Soon</source>
@@ -3376,11 +3376,11 @@ Ouvrez-en une avec Ctrl+O.</translation>
     </message>
     <message>
         <source>You have arrived: %1.</source>
-        <translation>Vous êtes à destination : %1.</translation>
+        <translation>Vous êtes à destination&#xa0;: %1.</translation>
     </message>
     <message>
         <source>You have probably arrived: %1.</source>
-        <translation>Vous êtes probablement à destination : %1.</translation>
+        <translation>Vous êtes probablement à destination&#xa0;: %1.</translation>
     </message>
     <message>
         <source>You are walking the wrong way.</source>
@@ -3424,11 +3424,11 @@ Ouvrez-en une avec Ctrl+O.</translation>
     </message>
     <message>
         <source>You are here: %1.</source>
-        <translation>Vous êtes ici : %1.</translation>
+        <translation>Vous êtes ici&#xa0;: %1.</translation>
     </message>
     <message>
         <source>You are probably here, or next to it: %1.</source>
-        <translation>Vous êtes probablement ici, ou juste à côté : %1.</translation>
+        <translation>Vous êtes probablement ici, ou juste à côté&#xa0;: %1.</translation>
     </message>
     <message>
         <source>up</source>
@@ -3445,7 +3445,7 @@ Ouvrez-en une avec Ctrl+O.</translation>
     </message>
     <message>
         <source>perhaps: %1, %2.</source>
-        <translation>peut-être : %1, %2.</translation>
+        <translation>peut-être&#xa0;: %1, %2.</translation>
     </message>
     <message>
         <source>No destination is chosen yet. Choose one first.</source>
@@ -3457,7 +3457,7 @@ Ouvrez-en une avec Ctrl+O.</translation>
     </message>
     <message>
         <source>I do not know this destination: %1. Choose another one.</source>
-        <translation>Je ne connais pas cette destination : %1. Choisissez-en une autre.</translation>
+        <translation>Je ne connais pas cette destination&#xa0;: %1. Choisissez-en une autre.</translation>
     </message>
     <message>
         <source>I know no way to your destination. Choose another one, or ask for help.</source>
@@ -3465,7 +3465,7 @@ Ouvrez-en une avec Ctrl+O.</translation>
     </message>
     <message>
         <source>I know no way to: %1. Choose another destination, or ask for help.</source>
-        <translation>Je ne connais aucun chemin vers cette destination : %1. Choisissez-en une autre, ou demandez de l&apos;aide.</translation>
+        <translation>Je ne connais aucun chemin vers cette destination&#xa0;: %1. Choisissez-en une autre, ou demandez de l&apos;aide.</translation>
     </message>
     <message>
         <source>You are already there.</source>
@@ -3477,11 +3477,11 @@ Ouvrez-en une avec Ctrl+O.</translation>
     </message>
     <message>
         <source>You are already there: %1.</source>
-        <translation>Vous y êtes déjà : %1.</translation>
+        <translation>Vous y êtes déjà&#xa0;: %1.</translation>
     </message>
     <message>
         <source>You are probably there already: %1.</source>
-        <translation>Vous y êtes probablement déjà : %1.</translation>
+        <translation>Vous y êtes probablement déjà&#xa0;: %1.</translation>
     </message>
     <message>
         <source>near you</source>
@@ -3509,7 +3509,7 @@ Ouvrez-en une avec Ctrl+O.</translation>
         <source>%1: %2.</source>
         <comment>what is around</comment>
         <extracomment>%1 &quot;on your left&quot;, %2 &quot;a door, Library; an extinguisher&quot;</extracomment>
-        <translation>%1 : %2.</translation>
+        <translation>%1&#xa0;: %2.</translation>
     </message>
     <message>
         <source>Stop. The camera gives no picture, and I cannot guide you.</source>
@@ -3710,7 +3710,7 @@ Ouvrez-en une avec Ctrl+O.</translation>
     </message>
     <message>
         <source>Careful: you are probably near the stairs.</source>
-        <translation>Attention : vous êtes probablement près de l&apos;escalier.</translation>
+        <translation>Attention&#xa0;: vous êtes probablement près de l&apos;escalier.</translation>
     </message>
     <message>
         <source>You are probably near the lift.</source>
@@ -3718,7 +3718,7 @@ Ouvrez-en une avec Ctrl+O.</translation>
     </message>
     <message>
         <source>Careful: you are probably near the escalator.</source>
-        <translation>Attention : vous êtes probablement près de l&apos;escalier mécanique.</translation>
+        <translation>Attention&#xa0;: vous êtes probablement près de l&apos;escalier mécanique.</translation>
     </message>
     <message>
         <source>You are probably near the ramp.</source>
@@ -3861,7 +3861,7 @@ Ouvrez-en une avec Ctrl+O.</translation>
     </message>
     <message>
         <source>stay in the lift until: %1</source>
-        <translation>restez dans l&apos;ascenseur jusqu&apos;à : %1</translation>
+        <translation>restez dans l&apos;ascenseur jusqu&apos;à&#xa0;: %1</translation>
     </message>
     <message>
         <source>go straight on through the next door</source>
@@ -3900,23 +3900,23 @@ Ouvrez-en une avec Ctrl+O.</translation>
     </message>
     <message>
         <source>Next: %1.</source>
-        <translation>Ensuite : %1.</translation>
+        <translation>Ensuite&#xa0;: %1.</translation>
     </message>
     <message>
         <source>When you get out: %1.</source>
-        <translation>À la sortie : %1.</translation>
+        <translation>À la sortie&#xa0;: %1.</translation>
     </message>
     <message>
         <source>At the top: %1.</source>
-        <translation>En haut : %1.</translation>
+        <translation>En haut&#xa0;: %1.</translation>
     </message>
     <message>
         <source>At the bottom: %1.</source>
-        <translation>En bas : %1.</translation>
+        <translation>En bas&#xa0;: %1.</translation>
     </message>
     <message>
         <source>Inside, choose: %1.</source>
-        <translation>À l&apos;intérieur, choisissez : %1.</translation>
+        <translation>À l&apos;intérieur, choisissez&#xa0;: %1.</translation>
     </message>
     <message>
         <source>Then, straight away, %1.</source>
@@ -3924,11 +3924,11 @@ Ouvrez-en une avec Ctrl+O.</translation>
     </message>
     <message>
         <source>%1: your destination.</source>
-        <translation>%1 : votre destination.</translation>
+        <translation>%1&#xa0;: votre destination.</translation>
     </message>
     <message>
         <source>%1: your destination, %2.</source>
-        <translation>%1 : votre destination, %2.</translation>
+        <translation>%1&#xa0;: votre destination, %2.</translation>
     </message>
     <message>
         <source>%1, %2</source>
@@ -3940,7 +3940,7 @@ Ouvrez-en une avec Ctrl+O.</translation>
         <source>%1: %2.</source>
         <comment>when, what comes</comment>
         <extracomment>%1 &quot;Soon&quot;, %2 &quot;stairs up&quot;</extracomment>
-        <translation>%1 : %2.</translation>
+        <translation>%1&#xa0;: %2.</translation>
     </message>
     <message>
         <source>%1, %2.</source>
@@ -3951,7 +3951,7 @@ Ouvrez-en une avec Ctrl+O.</translation>
     <message>
         <source>%1: a bend. Follow it, %2.</source>
         <extracomment>%1 &quot;First&quot;, %2 &quot;turning left&quot;</extracomment>
-        <translation>%1 : un virage. Suivez-le, %2.</translation>
+        <translation>%1&#xa0;: un virage. Suivez-le, %2.</translation>
     </message>
     <message>
         <source>Your destination is here.</source>
@@ -3963,11 +3963,11 @@ Ouvrez-en une avec Ctrl+O.</translation>
     </message>
     <message>
         <source>Your destination is here: %1.</source>
-        <translation>Votre destination est ici : %1.</translation>
+        <translation>Votre destination est ici&#xa0;: %1.</translation>
     </message>
     <message>
         <source>Your destination is probably here: %1.</source>
-        <translation>Votre destination est probablement ici : %1.</translation>
+        <translation>Votre destination est probablement ici&#xa0;: %1.</translation>
     </message>
     <message numerus="yes">
         <source>And %n more thing(s) to do after that.</source>
@@ -4485,13 +4485,13 @@ Ouvrez-en une avec Ctrl+O.</translation>
     <message numerus="yes">
         <source>%n places fit: choose one</source>
         <translation>
-            <numerusform>%n lieu correspond : choisissez-le</numerusform>
-            <numerusform>%n lieux correspondent : choisissez-en un</numerusform>
+            <numerusform>%n lieu correspond&#xa0;: choisissez-le</numerusform>
+            <numerusform>%n lieux correspondent&#xa0;: choisissez-en un</numerusform>
         </translation>
     </message>
     <message>
         <source>&amp;Go to:</source>
-        <translation>&amp;Aller à :</translation>
+        <translation>&amp;Aller à&#xa0;:</translation>
     </message>
     <message>
         <source>Destination</source>
@@ -4503,11 +4503,11 @@ Ouvrez-en une avec Ctrl+O.</translation>
     </message>
     <message>
         <source>Where to go: type part of a name, room number or level, then choose</source>
-        <translation>Où aller : tapez une partie d&apos;un nom, d&apos;un numéro de salle ou d&apos;un niveau, puis choisissez</translation>
+        <translation>Où aller&#xa0;: tapez une partie d&apos;un nom, d&apos;un numéro de salle ou d&apos;un niveau, puis choisissez</translation>
     </message>
     <message>
         <source>Start &amp;at:</source>
-        <translation>&amp;Partir de :</translation>
+        <translation>&amp;Partir de&#xa0;:</translation>
     </message>
     <message>
         <source>Start</source>
@@ -4523,7 +4523,7 @@ Ouvrez-en une avec Ctrl+O.</translation>
     </message>
     <message>
         <source>F&amp;rom:</source>
-        <translation>&amp;De :</translation>
+        <translation>&amp;De&#xa0;:</translation>
     </message>
     <message>
         <source>From</source>
@@ -4531,11 +4531,11 @@ Ouvrez-en une avec Ctrl+O.</translation>
     </message>
     <message>
         <source>Where the route begins: type part of a name, room number or level, then choose</source>
-        <translation>Où commence l&apos;itinéraire : tapez une partie d&apos;un nom, d&apos;un numéro de salle ou d&apos;un niveau, puis choisissez</translation>
+        <translation>Où commence l&apos;itinéraire&#xa0;: tapez une partie d&apos;un nom, d&apos;un numéro de salle ou d&apos;un niveau, puis choisissez</translation>
     </message>
     <message>
         <source>&amp;To:</source>
-        <translation>&amp;À :</translation>
+        <translation>&amp;À&#xa0;:</translation>
     </message>
     <message>
         <source>To</source>
@@ -4543,7 +4543,7 @@ Ouvrez-en une avec Ctrl+O.</translation>
     </message>
     <message>
         <source>Where the route ends: type part of a name, room number or level, then choose</source>
-        <translation>Où finit l&apos;itinéraire : tapez une partie d&apos;un nom, d&apos;un numéro de salle ou d&apos;un niveau, puis choisissez</translation>
+        <translation>Où finit l&apos;itinéraire&#xa0;: tapez une partie d&apos;un nom, d&apos;un numéro de salle ou d&apos;un niveau, puis choisissez</translation>
     </message>
     <message>
         <source>none</source>
@@ -4574,7 +4574,7 @@ Ouvrez-en une avec Ctrl+O.</translation>
     </message>
     <message>
         <source>Legend: %1</source>
-        <translation>Légende : %1</translation>
+        <translation>Légende&#xa0;: %1</translation>
     </message>
     <message>
         <source>sees no landmark</source>
@@ -4598,8 +4598,8 @@ Ouvrez-en une avec Ctrl+O.</translation>
     <message numerus="yes">
         <source>%1: %n region(s), %2</source>
         <translation>
-            <numerusform>%1 : %n région, %2</numerusform>
-            <numerusform>%1 : %n régions, %2</numerusform>
+            <numerusform>%1&#xa0;: %n région, %2</numerusform>
+            <numerusform>%1&#xa0;: %n régions, %2</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -4611,7 +4611,7 @@ Ouvrez-en une avec Ctrl+O.</translation>
     </message>
     <message>
         <source>&amp;Level:</source>
-        <translation>&amp;Niveau :</translation>
+        <translation>&amp;Niveau&#xa0;:</translation>
     </message>
     <message>
         <source>Level of the plan</source>
@@ -4662,11 +4662,11 @@ Ouvrez-en une avec Ctrl+O.</translation>
     </message>
     <message>
         <source>Name; the new user begins with the settings as they are now:</source>
-        <translation>Nom ; le nouvel utilisateur commence avec les réglages actuels :</translation>
+        <translation>Nom&#xa0;; le nouvel utilisateur commence avec les réglages actuels&#xa0;:</translation>
     </message>
     <message>
         <source>“%1” cannot be used as a name: it must not hold a slash.</source>
-        <translation>« %1 » ne peut pas servir de nom : il ne doit pas contenir de barre oblique.</translation>
+        <translation>«&#xa0;%1&#xa0;» ne peut pas servir de nom&#xa0;: il ne doit pas contenir de barre oblique.</translation>
     </message>
     <message>
         <source>&amp;User</source>
@@ -4745,7 +4745,7 @@ Ouvrez-en une avec Ctrl+O.</translation>
     </message>
     <message>
         <source>The map was changed after this check: %1.</source>
-        <translation>La carte a changé après cette vérification : %1.</translation>
+        <translation>La carte a changé après cette vérification&#xa0;: %1.</translation>
     </message>
     <message>
         <source>Nothing is wrong with this map.</source>
@@ -4757,7 +4757,7 @@ Ouvrez-en une avec Ctrl+O.</translation>
     </message>
     <message>
         <source>What is wrong with the map; choose a finding to see its place on the plan</source>
-        <translation>Ce qui ne va pas dans la carte ; choisissez un constat pour voir son emplacement sur le plan</translation>
+        <translation>Ce qui ne va pas dans la carte&#xa0;; choisissez un constat pour voir son emplacement sur le plan</translation>
     </message>
     <message>
         <source>The finding in words</source>
@@ -4832,7 +4832,7 @@ Ouvrez-en une avec Ctrl+O.</translation>
     </message>
     <message>
         <source>The pictures are not looked at again: what was recognised then is taken, and the place is worked out anew.</source>
-        <translation>Les images ne sont pas regardées de nouveau : on prend ce qui fut reconnu alors, et le lieu est recalculé.</translation>
+        <translation>Les images ne sont pas regardées de nouveau&#xa0;: on prend ce qui fut reconnu alors, et le lieu est recalculé.</translation>
     </message>
     <message>
         <source>From</source>
@@ -4856,11 +4856,11 @@ Ouvrez-en une avec Ctrl+O.</translation>
     </message>
     <message>
         <source>&amp;Recorded walk:</source>
-        <translation>Parcours &amp;enregistré :</translation>
+        <translation>Parcours &amp;enregistré&#xa0;:</translation>
     </message>
     <message>
         <source>&amp;Worked out by:</source>
-        <translation>&amp;Calculé par :</translation>
+        <translation>&amp;Calculé par&#xa0;:</translation>
     </message>
     <message>
         <source>Working…</source>
@@ -4868,7 +4868,7 @@ Ouvrez-en une avec Ctrl+O.</translation>
     </message>
     <message>
         <source>%1 before, %2 now. The same place on %3 of %4 pictures (%5 %). Sentences: %6 before, %7 now.</source>
-        <translation>%1 avant, %2 maintenant. Le même lieu sur %3 images sur %4 (%5 %). Phrases : %6 avant, %7 maintenant.</translation>
+        <translation>%1 avant, %2 maintenant. Le même lieu sur %3 images sur %4 (%5 %). Phrases&#xa0;: %6 avant, %7 maintenant.</translation>
     </message>
     <message>
         <source>not known</source>
@@ -4883,7 +4883,7 @@ Ouvrez-en une avec Ctrl+O.</translation>
     <name>farol::ui::RouteModel</name>
     <message>
         <source>Start in %1.</source>
-        <translation>Partez d&apos;ici : %1.</translation>
+        <translation>Partez d&apos;ici&#xa0;: %1.</translation>
     </message>
     <message>
         <source>%1 m</source>
@@ -4936,7 +4936,7 @@ Ouvrez-en une avec Ctrl+O.</translation>
     </message>
     <message>
         <source>The way back: exchange where the route begins and ends</source>
-        <translation>Le retour : échanger le début et la fin de l&apos;itinéraire</translation>
+        <translation>Le retour&#xa0;: échanger le début et la fin de l&apos;itinéraire</translation>
     </message>
     <message>
         <source>Avoid</source>
@@ -4980,7 +4980,7 @@ Ouvrez-en une avec Ctrl+O.</translation>
     </message>
     <message>
         <source>What the walker hears; choose a sentence to see its place on the plan</source>
-        <translation>Ce qu&apos;entend la personne qui marche ; choisissez une phrase pour voir son emplacement sur le plan</translation>
+        <translation>Ce qu&apos;entend la personne qui marche&#xa0;; choisissez une phrase pour voir son emplacement sur le plan</translation>
     </message>
 </context>
 <context>
@@ -5007,7 +5007,7 @@ Ouvrez-en une avec Ctrl+O.</translation>
     </message>
     <message>
         <source>Give the region the name that people use; this one is never spoken.</source>
-        <translation>Donnez à la région le nom que les gens emploient ; celui-ci n&apos;est jamais dit.</translation>
+        <translation>Donnez à la région le nom que les gens emploient&#xa0;; celui-ci n&apos;est jamais dit.</translation>
     </message>
     <message>
         <source>Doors that share an id</source>
@@ -5155,7 +5155,7 @@ Ouvrez-en une avec Ctrl+O.</translation>
     </message>
     <message>
         <source>Each part became a region; give the parts names of their own.</source>
-        <translation>Chaque partie est devenue une région ; donnez-leur des noms propres.</translation>
+        <translation>Chaque partie est devenue une région&#xa0;; donnez-leur des noms propres.</translation>
     </message>
     <message>
         <source>Landmarks in regions that do not exist</source>
@@ -5694,7 +5694,7 @@ Ouvrez-en une avec Ctrl+O.</translation>
     </message>
     <message>
         <source>&amp;Language:</source>
-        <translation>&amp;Langue :</translation>
+        <translation>&amp;Langue&#xa0;:</translation>
     </message>
     <message>
         <source>Left and right</source>
@@ -5718,7 +5718,7 @@ Ouvrez-en une avec Ctrl+O.</translation>
     </message>
     <message>
         <source>&amp;Directions:</source>
-        <translation>&amp;Directions :</translation>
+        <translation>&amp;Directions&#xa0;:</translation>
     </message>
     <message>
         <source>The way only</source>
@@ -5742,7 +5742,7 @@ Ouvrez-en une avec Ctrl+O.</translation>
     </message>
     <message>
         <source>&amp;What is told:</source>
-        <translation>&amp;Ce qui est dit :</translation>
+        <translation>&amp;Ce qui est dit&#xa0;:</translation>
     </message>
     <message>
         <source>The first that works</source>
@@ -5758,7 +5758,7 @@ Ouvrez-en une avec Ctrl+O.</translation>
     </message>
     <message>
         <source>&amp;Speech program:</source>
-        <translation>&amp;Programme de parole :</translation>
+        <translation>&amp;Programme de parole&#xa0;:</translation>
     </message>
     <message>
         <source>What fits the language</source>
@@ -5770,7 +5770,7 @@ Ouvrez-en une avec Ctrl+O.</translation>
     </message>
     <message>
         <source>Press “List voices” to choose among those of the speech program</source>
-        <translation>Appuyez sur « Lister les voix » pour choisir parmi celles du programme de parole</translation>
+        <translation>Appuyez sur «&#xa0;Lister les voix&#xa0;» pour choisir parmi celles du programme de parole</translation>
     </message>
     <message>
         <source>List &amp;voices</source>
@@ -5782,11 +5782,11 @@ Ouvrez-en une avec Ctrl+O.</translation>
     </message>
     <message>
         <source>Ask the speech program for its voices; this can take some seconds</source>
-        <translation>Demander ses voix au programme de parole ; cela peut prendre quelques secondes</translation>
+        <translation>Demander ses voix au programme de parole&#xa0;; cela peut prendre quelques secondes</translation>
     </message>
     <message>
         <source>V&amp;oice:</source>
-        <translation>V&amp;oix :</translation>
+        <translation>V&amp;oix&#xa0;:</translation>
     </message>
     <message>
         <source>Speed of the voice</source>
@@ -5798,7 +5798,7 @@ Ouvrez-en une avec Ctrl+O.</translation>
     </message>
     <message>
         <source>S&amp;peed of the voice:</source>
-        <translation>Vit&amp;esse de la voix :</translation>
+        <translation>Vit&amp;esse de la voix&#xa0;:</translation>
     </message>
     <message>
         <source>Loudness</source>
@@ -5810,7 +5810,7 @@ Ouvrez-en une avec Ctrl+O.</translation>
     </message>
     <message>
         <source>Lo&amp;udness:</source>
-        <translation>Vol&amp;ume :</translation>
+        <translation>Vol&amp;ume&#xa0;:</translation>
     </message>
     <message>
         <source>Folder of recordings</source>
@@ -5834,7 +5834,7 @@ Ouvrez-en une avec Ctrl+O.</translation>
     </message>
     <message>
         <source>&amp;Recordings:</source>
-        <translation>Enre&amp;gistrements :</translation>
+        <translation>Enre&amp;gistrements&#xa0;:</translation>
     </message>
     <message>
         <source>Pages of the settings</source>
@@ -5866,7 +5866,7 @@ Ouvrez-en une avec Ctrl+O.</translation>
     </message>
     <message>
         <source>How sure a landmark must be before it counts. Lower figures find more, and more that is wrong: leave them unless you can check. From the next start of a walk.</source>
-        <translation>Combien un repère doit être sûr pour compter. Des chiffres plus bas trouvent davantage, et plus d&apos;erreurs : laissez-les, à moins de pouvoir vérifier. Dès le prochain départ d&apos;un parcours.</translation>
+        <translation>Combien un repère doit être sûr pour compter. Des chiffres plus bas trouvent davantage, et plus d&apos;erreurs&#xa0;: laissez-les, à moins de pouvoir vérifier. Dès le prochain départ d&apos;un parcours.</translation>
     </message>
     <message>
         <source>Light</source>
@@ -5886,7 +5886,7 @@ Ouvrez-en une avec Ctrl+O.</translation>
     </message>
     <message>
         <source>&amp;Colours:</source>
-        <translation>C&amp;ouleurs :</translation>
+        <translation>C&amp;ouleurs&#xa0;:</translation>
     </message>
     <message>
         <source>Metres</source>
@@ -5910,7 +5910,7 @@ Ouvrez-en une avec Ctrl+O.</translation>
     </message>
     <message>
         <source>Dis&amp;tances:</source>
-        <translation>Dis&amp;tances :</translation>
+        <translation>Dis&amp;tances&#xa0;:</translation>
     </message>
 </context>
 <context>
@@ -5965,7 +5965,7 @@ Ouvrez-en une avec Ctrl+O.</translation>
     </message>
     <message>
         <source>Pictures a &amp;second:</source>
-        <translation>Images par &amp;seconde :</translation>
+        <translation>Images par &amp;seconde&#xa0;:</translation>
     </message>
     <message>
         <source>&amp;Browse…</source>
@@ -6000,7 +6000,7 @@ Ouvrez-en une avec Ctrl+O.</translation>
     <name>farol::ui::SpeechDesk</name>
     <message>
         <source>Voice off: sentences are only shown</source>
-        <translation>Voix coupée : les phrases sont seulement montrées</translation>
+        <translation>Voix coupée&#xa0;: les phrases sont seulement montrées</translation>
     </message>
 </context>
 <context>
@@ -6011,7 +6011,7 @@ Ouvrez-en une avec Ctrl+O.</translation>
     </message>
     <message>
         <source>The voice hangs: nothing may be heard. Choose another one in the settings.</source>
-        <translation>La voix est bloquée : on n&apos;entend peut-être rien. Choisissez-en une autre dans les réglages.</translation>
+        <translation>La voix est bloquée&#xa0;: on n&apos;entend peut-être rien. Choisissez-en une autre dans les réglages.</translation>
     </message>
 </context>
 <context>
@@ -6025,7 +6025,7 @@ Ouvrez-en une avec Ctrl+O.</translation>
     <name>farol::ui::TeachPanel</name>
     <message>
         <source>Give up?</source>
-        <translation>Renoncer ?</translation>
+        <translation>Renoncer&#xa0;?</translation>
     </message>
     <message>
         <source>What you have taught of this landmark will be lost.</source>
@@ -6073,7 +6073,7 @@ Ouvrez-en une avec Ctrl+O.</translation>
     </message>
     <message>
         <source>Step %1 of %2: %3</source>
-        <translation>Étape %1 sur %2 : %3</translation>
+        <translation>Étape %1 sur %2&#xa0;: %3</translation>
     </message>
     <message>
         <source>&amp;Done</source>
@@ -6101,7 +6101,7 @@ Ouvrez-en une avec Ctrl+O.</translation>
     </message>
     <message>
         <source>“%1” is in the library. Where does it hang? Put it on the map, so that Farol knows where you are when it is seen. The same landmark can hang in several places.</source>
-        <translation>« %1 » est dans la bibliothèque. Où est-il accroché ? Mettez-le sur la carte, pour que Farol sache où vous êtes quand il le voit. Le même repère peut se trouver à plusieurs endroits.</translation>
+        <translation>«&#xa0;%1&#xa0;» est dans la bibliothèque. Où est-il accroché&#xa0;? Mettez-le sur la carte, pour que Farol sache où vous êtes quand il le voit. Le même repère peut se trouver à plusieurs endroits.</translation>
     </message>
     <message>
         <source>&amp;Back</source>
@@ -6172,11 +6172,11 @@ Ouvrez-en une avec Ctrl+O.</translation>
     </message>
     <message>
         <source>Say what maps shall call it: letters and digits.</source>
-        <translation>Dites comment les cartes l&apos;appelleront : lettres et chiffres.</translation>
+        <translation>Dites comment les cartes l&apos;appelleront&#xa0;: lettres et chiffres.</translation>
     </message>
     <message>
         <source>“%1” is in the library already. Choose another name, or add views to that one.</source>
-        <translation>« %1 » est déjà dans la bibliothèque. Choisissez un autre nom, ou ajoutez des vues à celui-là.</translation>
+        <translation>«&#xa0;%1&#xa0;» est déjà dans la bibliothèque. Choisissez un autre nom, ou ajoutez des vues à celui-là.</translation>
     </message>
 </context>
 <context>
@@ -6199,11 +6199,11 @@ Ouvrez-en une avec Ctrl+O.</translation>
     </message>
     <message>
         <source>Not found: %1.</source>
-        <translation>Non trouvé : %1.</translation>
+        <translation>Non trouvé&#xa0;: %1.</translation>
     </message>
     <message>
         <source>Also seen: %1.</source>
-        <translation>Vu aussi : %1.</translation>
+        <translation>Vu aussi&#xa0;: %1.</translation>
     </message>
     <message>
         <source>Found in %1 of %2 pictures looked at.</source>
@@ -6311,13 +6311,13 @@ Ouvrez-en une avec Ctrl+O.</translation>
     <message numerus="yes">
         <source>This picture is good: %n point(s).</source>
         <translation>
-            <numerusform>Cette image est bonne : %n point.</numerusform>
-            <numerusform>Cette image est bonne : %n points.</numerusform>
+            <numerusform>Cette image est bonne&#xa0;: %n point.</numerusform>
+            <numerusform>Cette image est bonne&#xa0;: %n points.</numerusform>
         </translation>
     </message>
     <message>
         <source>Coach: %1</source>
-        <translation>Conseil : %1</translation>
+        <translation>Conseil&#xa0;: %1</translation>
     </message>
     <message>
         <source>View %1</source>
@@ -6333,7 +6333,7 @@ Ouvrez-en une avec Ctrl+O.</translation>
     </message>
     <message>
         <source>Nothing yet: add a view.</source>
-        <translation>Rien encore : ajoutez une vue.</translation>
+        <translation>Rien encore&#xa0;: ajoutez une vue.</translation>
     </message>
     <message numerus="yes">
         <source>With the %n view(s) it had before.</source>
@@ -6484,7 +6484,7 @@ Ouvrez-en une avec Ctrl+O.</translation>
     </message>
     <message>
         <source>Drag the four corners onto the landmark. By keys: 1 to 4 choose a corner, the arrows move it, with Shift by one pixel.</source>
-        <translation>Glissez les quatre coins sur le repère. Au clavier : 1 à 4 choisissent un coin, les flèches le déplacent, avec Maj d&apos;un pixel.</translation>
+        <translation>Glissez les quatre coins sur le repère. Au clavier&#xa0;: 1 à 4 choisissent un coin, les flèches le déplacent, avec Maj d&apos;un pixel.</translation>
     </message>
     <message>
         <source>No picture yet.
@@ -6497,11 +6497,11 @@ Allumez la caméra, ou choisissez des images ou un enregistrement.</translation>
     <name>farol::ui::TeachWhat</name>
     <message>
         <source>What is it that Farol shall know again? A sign, a poster, a door with something on it: flat things with detail are known best. Choose “known place” for the whole view of a spot.</source>
-        <translation>Que doit reconnaître Farol ? Un panneau, une affiche, une porte qui porte quelque chose : ce qui est plat et détaillé se reconnaît le mieux. Choisissez « lieu connu » pour la vue entière d&apos;un endroit.</translation>
+        <translation>Que doit reconnaître Farol&#xa0;? Un panneau, une affiche, une porte qui porte quelque chose&#xa0;: ce qui est plat et détaillé se reconnaît le mieux. Choisissez «&#xa0;lieu connu&#xa0;» pour la vue entière d&apos;un endroit.</translation>
     </message>
     <message>
         <source>&amp;Name:</source>
-        <translation>&amp;Nom :</translation>
+        <translation>&amp;Nom&#xa0;:</translation>
     </message>
     <message>
         <source>Name</source>
@@ -6513,7 +6513,7 @@ Allumez la caméra, ou choisissez des images ou un enregistrement.</translation>
     </message>
     <message>
         <source>&amp;Kind:</source>
-        <translation>&amp;Type :</translation>
+        <translation>&amp;Type&#xa0;:</translation>
     </message>
     <message>
         <source>Kind</source>
@@ -6525,7 +6525,7 @@ Allumez la caméra, ou choisissez des images ou un enregistrement.</translation>
     </message>
     <message>
         <source>Real &amp;width:</source>
-        <translation>&amp;Largeur réelle :</translation>
+        <translation>&amp;Largeur réelle&#xa0;:</translation>
     </message>
     <message>
         <source>Real width</source>
@@ -6537,7 +6537,7 @@ Allumez la caméra, ou choisissez des images ou un enregistrement.</translation>
     </message>
     <message>
         <source>Real &amp;height:</source>
-        <translation>&amp;Hauteur réelle :</translation>
+        <translation>&amp;Hauteur réelle&#xa0;:</translation>
     </message>
     <message>
         <source>Real height</source>
@@ -6545,7 +6545,7 @@ Allumez la caméra, ou choisissez des images ou un enregistrement.</translation>
     </message>
     <message>
         <source>In &amp;maps called:</source>
-        <translation>Appelé dans les c&amp;artes :</translation>
+        <translation>Appelé dans les c&amp;artes&#xa0;:</translation>
     </message>
     <message>
         <source>In maps called</source>
@@ -6553,7 +6553,7 @@ Allumez la caméra, ou choisissez des images ou un enregistrement.</translation>
     </message>
     <message>
         <source>Landmarks of the map refer to it by this word, so it should not change</source>
-        <translation>Les repères de la carte s&apos;y réfèrent par ce mot ; il ne devrait pas changer</translation>
+        <translation>Les repères de la carte s&apos;y réfèrent par ce mot&#xa0;; il ne devrait pas changer</translation>
     </message>
     <message>
         <source>not known</source>
@@ -6564,7 +6564,7 @@ Allumez la caméra, ou choisissez des images ou un enregistrement.</translation>
     <name>farol::ui::TimelineBar</name>
     <message>
         <source>T&amp;imeline:</source>
-        <translation>L&amp;igne du temps :</translation>
+        <translation>L&amp;igne du temps&#xa0;:</translation>
     </message>
     <message>
         <source>Timeline</source>
@@ -6572,7 +6572,7 @@ Allumez la caméra, ou choisissez des images ou un enregistrement.</translation>
     </message>
     <message>
         <source>How sure the place was, and marks where something was said. Drag it, or use the arrow keys, to look back; End goes back to now.</source>
-        <translation>À quel point le lieu était sûr, et des marques là où quelque chose fut dit. Glissez-la ou utilisez les flèches pour regarder en arrière ; Fin revient à maintenant.</translation>
+        <translation>À quel point le lieu était sûr, et des marques là où quelque chose fut dit. Glissez-la ou utilisez les flèches pour regarder en arrière&#xa0;; Fin revient à maintenant.</translation>
     </message>
     <message>
         <source>Now</source>
@@ -6639,7 +6639,7 @@ Allumez la caméra, ou choisissez des images ou un enregistrement.</translation>
     </message>
     <message>
         <source>Write the library into another file; every change is saved by itself</source>
-        <translation>Écrire la bibliothèque dans un autre fichier ; chaque modification s&apos;enregistre d&apos;elle-même</translation>
+        <translation>Écrire la bibliothèque dans un autre fichier&#xa0;; chaque modification s&apos;enregistre d&apos;elle-même</translation>
     </message>
     <message>
         <source>&amp;Undo</source>
@@ -6794,7 +6794,7 @@ Allumez la caméra, ou choisissez des images ou un enregistrement.</translation>
     </message>
     <message>
         <source>Not saved: %1</source>
-        <translation>Non enregistré : %1</translation>
+        <translation>Non enregistré&#xa0;: %1</translation>
     </message>
     <message>
         <source>Save el&amp;sewhere…</source>
@@ -6802,7 +6802,7 @@ Allumez la caméra, ou choisissez des images ou un enregistrement.</translation>
     </message>
     <message>
         <source>Not saved: another program has changed %1 meanwhile.</source>
-        <translation>Non enregistré : un autre programme a modifié %1 entre-temps.</translation>
+        <translation>Non enregistré&#xa0;: un autre programme a modifié %1 entre-temps.</translation>
     </message>
     <message>
         <source>Open a landmark library</source>
@@ -6827,8 +6827,8 @@ Allumez la caméra, ou choisissez des images ou un enregistrement.</translation>
     <message numerus="yes">
         <source>“%1” is unfinished, with %n view(s).</source>
         <translation>
-            <numerusform>« %1 » est inachevé, avec %n vue.</numerusform>
-            <numerusform>« %1 » est inachevé, avec %n vues.</numerusform>
+            <numerusform>«&#xa0;%1&#xa0;» est inachevé, avec %n vue.</numerusform>
+            <numerusform>«&#xa0;%1&#xa0;» est inachevé, avec %n vues.</numerusform>
         </translation>
     </message>
     <message>
@@ -6841,7 +6841,7 @@ Allumez la caméra, ou choisissez des images ou un enregistrement.</translation>
     </message>
     <message>
         <source>Teach “%1”</source>
-        <translation>Apprendre « %1 »</translation>
+        <translation>Apprendre «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>Save the report</source>
@@ -6869,7 +6869,7 @@ Allumez la caméra, ou choisissez des images ou un enregistrement.</translation>
     </message>
     <message>
         <source>Change “%1”</source>
-        <translation>Modifier « %1 »</translation>
+        <translation>Modifier «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>%1 (%2)</source>
@@ -6881,7 +6881,7 @@ Allumez la caméra, ou choisissez des images ou un enregistrement.</translation>
     </message>
     <message>
         <source>The views of this landmark go to “%1”, and it is deleted:</source>
-        <translation>Les vues de ce repère vont à « %1 », et il est supprimé :</translation>
+        <translation>Les vues de ce repère vont à «&#xa0;%1&#xa0;», et il est supprimé&#xa0;:</translation>
     </message>
     <message>
         <source>Split the landmark</source>
@@ -6890,8 +6890,8 @@ Allumez la caméra, ou choisissez des images ou un enregistrement.</translation>
     <message numerus="yes">
         <source>Name of the landmark that the %n chosen view(s) become:</source>
         <translation>
-            <numerusform>Nom du repère que devient la %n vue choisie :</numerusform>
-            <numerusform>Nom du repère que deviennent les %n vues choisies :</numerusform>
+            <numerusform>Nom du repère que devient la %n vue choisie&#xa0;:</numerusform>
+            <numerusform>Nom du repère que deviennent les %n vues choisies&#xa0;:</numerusform>
         </translation>
     </message>
     <message>
@@ -6900,7 +6900,7 @@ Allumez la caméra, ou choisissez des images ou un enregistrement.</translation>
     </message>
     <message>
         <source>Delete “%1”</source>
-        <translation>Supprimer « %1 »</translation>
+        <translation>Supprimer «&#xa0;%1&#xa0;»</translation>
     </message>
 </context>
 <context>
@@ -6931,23 +6931,23 @@ Allumez la caméra, ou choisissez des images ou un enregistrement.</translation>
     </message>
     <message>
         <source>Next: straight from the front, about 2 metres away.</source>
-        <translation>Ensuite : bien en face, à environ 2 mètres.</translation>
+        <translation>Ensuite&#xa0;: bien en face, à environ 2 mètres.</translation>
     </message>
     <message>
         <source>Next: from the left, so that you see it aslant.</source>
-        <translation>Ensuite : de la gauche, pour le voir de biais.</translation>
+        <translation>Ensuite&#xa0;: de la gauche, pour le voir de biais.</translation>
     </message>
     <message>
         <source>Next: from the right, so that you see it aslant.</source>
-        <translation>Ensuite : de la droite, pour le voir de biais.</translation>
+        <translation>Ensuite&#xa0;: de la droite, pour le voir de biais.</translation>
     </message>
     <message>
         <source>Next: from farther away, about twice as far.</source>
-        <translation>Ensuite : de plus loin, environ deux fois plus.</translation>
+        <translation>Ensuite&#xa0;: de plus loin, environ deux fois plus.</translation>
     </message>
     <message>
         <source>Next: the same view from a step aside, or a step nearer.</source>
-        <translation>Ensuite : la même vue, d&apos;un pas de côté ou d&apos;un pas plus près.</translation>
+        <translation>Ensuite&#xa0;: la même vue, d&apos;un pas de côté ou d&apos;un pas plus près.</translation>
     </message>
     <message>
         <source>These views are enough. More do no harm.</source>
@@ -6955,7 +6955,7 @@ Allumez la caméra, ou choisissez des images ou un enregistrement.</translation>
     </message>
     <message>
         <source>There is one view only: nothing to look for it with. Add another.</source>
-        <translation>Il n&apos;y a qu&apos;une vue : rien pour la chercher. Ajoutez-en une autre.</translation>
+        <translation>Il n&apos;y a qu&apos;une vue&#xa0;: rien pour la chercher. Ajoutez-en une autre.</translation>
     </message>
     <message>
         <source>Found in %1 of its %2 views by the others.</source>
@@ -6967,7 +6967,7 @@ Allumez la caméra, ou choisissez des images ou un enregistrement.</translation>
     </message>
     <message>
         <source>Found down to a size of %1 pixels in the picture; give its real size to learn how far that is.</source>
-        <translation>Trouvé jusqu&apos;à une taille de %1 pixels dans l&apos;image ; donnez sa taille réelle pour savoir à quelle distance.</translation>
+        <translation>Trouvé jusqu&apos;à une taille de %1 pixels dans l&apos;image&#xa0;; donnez sa taille réelle pour savoir à quelle distance.</translation>
     </message>
     <message>
         <source>Found up to %1 degrees aside.</source>
@@ -6983,11 +6983,11 @@ Allumez la caméra, ou choisissez des images ou un enregistrement.</translation>
     </message>
     <message>
         <source>Taken for another: %1.</source>
-        <translation>Pris pour un autre : %1.</translation>
+        <translation>Pris pour un autre&#xa0;: %1.</translation>
     </message>
     <message>
         <source>Others are taken for it: %1.</source>
-        <translation>D&apos;autres sont pris pour lui : %1.</translation>
+        <translation>D&apos;autres sont pris pour lui&#xa0;: %1.</translation>
     </message>
     <message>
         <source>Confused with none of the others.</source>
@@ -7019,14 +7019,14 @@ Allumez la caméra, ou choisissez des images ou un enregistrement.</translation>
     </message>
     <message>
         <source>No view is straight from the front: add one, to learn from how far it is found.</source>
-        <translation>Aucune vue n&apos;est bien de face : ajoutez-en une, pour savoir de quelle distance il est trouvé.</translation>
+        <translation>Aucune vue n&apos;est bien de face&#xa0;: ajoutez-en une, pour savoir de quelle distance il est trouvé.</translation>
     </message>
 </context>
 <context>
     <name>farol::ui::UtteranceLog</name>
     <message>
         <source>What is said cannot be written to %1: %2. Choose another file.</source>
-        <translation>Ce qui est dit ne peut pas être écrit dans %1 : %2. Choisissez un autre fichier.</translation>
+        <translation>Ce qui est dit ne peut pas être écrit dans %1&#xa0;: %2. Choisissez un autre fichier.</translation>
     </message>
 </context>
 <context>
@@ -7064,7 +7064,7 @@ Allumez la caméra, ou choisissez des images ou un enregistrement.</translation>
     </message>
     <message>
         <source>The voice &quot;%1&quot; does not start: %2</source>
-        <translation>La voix &quot;%1&quot; ne démarre pas : %2</translation>
+        <translation>La voix &quot;%1&quot; ne démarre pas&#xa0;: %2</translation>
     </message>
     <message>
         <source>The voice &quot;%1&quot; does not speak this language. Choose another one in the settings.</source>
@@ -7141,8 +7141,8 @@ Allumez la caméra, ou choisissez des images ou un enregistrement.</translation>
     <message numerus="yes">
         <source>%n remark(s) about the map: %1</source>
         <translation>
-            <numerusform>%n remarque sur la carte : %1</numerusform>
-            <numerusform>%n remarques sur la carte : %1</numerusform>
+            <numerusform>%n remarque sur la carte&#xa0;: %1</numerusform>
+            <numerusform>%n remarques sur la carte&#xa0;: %1</numerusform>
         </translation>
     </message>
     <message>
@@ -7161,6 +7161,10 @@ Allumez la caméra, ou choisissez des images ou un enregistrement.</translation>
         <source>Open a camera, a video or a folder of pictures first (Ctrl+P).</source>
         <translation>Ouvrez d&apos;abord une caméra, une vidéo ou un dossier d&apos;images (Ctrl+P).</translation>
     </message>
+    <message>
+        <source>No trained landmarks: only doors and texts are recognised. Open a library of landmarks to recognise more.</source>
+        <translation>Aucun repère entraîné : seules les portes et les inscriptions sont reconnues. Ouvrez une bibliothèque de repères pour en reconnaître davantage.</translation>
+    </message>
 </context>
 <context>
     <name>farol::ui::WelcomeDialog</name>
@@ -7170,7 +7174,7 @@ Allumez la caméra, ou choisissez des images ou un enregistrement.</translation>
     </message>
     <message>
         <source>Farol guides a blind person through a building with one camera. It needs a map of the building, and landmarks that it was taught. What do you want to do?</source>
-        <translation>Farol guide une personne aveugle dans un bâtiment avec une caméra. Il lui faut une carte du bâtiment et des repères qu&apos;on lui a appris. Que voulez-vous faire ?</translation>
+        <translation>Farol guide une personne aveugle dans un bâtiment avec une caméra. Il lui faut une carte du bâtiment et des repères qu&apos;on lui a appris. Que voulez-vous faire&#xa0;?</translation>
     </message>
     <message>
         <source>&amp;Guide somebody</source>
@@ -7202,11 +7206,11 @@ Allumez la caméra, ou choisissez des images ou un enregistrement.</translation>
     </message>
     <message>
         <source>What each page is for, and its keys; F1 at any time</source>
-        <translation>À quoi sert chaque page, et ses touches ; F1 à tout moment</translation>
+        <translation>À quoi sert chaque page, et ses touches&#xa0;; F1 à tout moment</translation>
     </message>
     <message>
         <source>For a blind user who is alone, start “farol --kiosk”: full screen, by keys and speech.</source>
-        <translation>Pour un utilisateur aveugle et seul, lancez « farol --kiosk » : plein écran, par touches et parole.</translation>
+        <translation>Pour un utilisateur aveugle et seul, lancez «&#xa0;farol --kiosk&#xa0;»&#xa0;: plein écran, par touches et parole.</translation>
     </message>
 </context>
 <context>
@@ -7605,7 +7609,7 @@ Allumez la caméra, ou choisissez des images ou un enregistrement.</translation>
     </message>
     <message>
         <source>&amp;Speed:</source>
-        <translation>&amp;Vitesse :</translation>
+        <translation>&amp;Vitesse&#xa0;:</translation>
     </message>
     <message>
         <source>Speed</source>
@@ -7645,7 +7649,7 @@ Allumez la caméra, ou choisissez des images ou un enregistrement.</translation>
     </message>
     <message>
         <source>The place shown is wrong: look for it anew</source>
-        <translation>Le lieu montré est faux : le chercher de nouveau</translation>
+        <translation>Le lieu montré est faux&#xa0;: le chercher de nouveau</translation>
     </message>
     <message>
         <source>&amp;Work out a recorded walk anew…</source>
@@ -7812,11 +7816,11 @@ Allumez la caméra, ou choisissez des images ou un enregistrement.</translation>
     </message>
     <message>
         <source>%1: %2</source>
-        <translation>%1 : %2</translation>
+        <translation>%1&#xa0;: %2</translation>
     </message>
     <message>
         <source>%1: %2, in %3</source>
-        <translation>%1 : %2, dans %3</translation>
+        <translation>%1&#xa0;: %2, dans %3</translation>
     </message>
     <message>
         <source>waiting</source>

@@ -7161,6 +7161,10 @@ Ligue a câmara, ou escolha imagens ou uma gravação.</translation>
         <source>Open a camera, a video or a folder of pictures first (Ctrl+P).</source>
         <translation>Abra primeiro uma câmara, um vídeo ou uma pasta de imagens (Ctrl+P).</translation>
     </message>
+    <message>
+        <source>No trained landmarks: only doors and texts are recognised. Open a library of landmarks to recognise more.</source>
+        <translation>Sem pontos de referência treinados: só se reconhecem portas e textos. Abra uma biblioteca de pontos de referência para reconhecer mais.</translation>
+    </message>
 </context>
 <context>
     <name>farol::ui::WelcomeDialog</name>

@@ -159,8 +159,7 @@ Perception::Perception(std::shared_ptr<const recognition::LandmarkLibrary> libra
     if (m_options.landmarks && hasViews(library.get())) {
         m_recogniser.emplace(std::move(library), m_options.recogniser);
     } else if (m_options.landmarks) {
-        warnings.emplace_back("no trained landmarks: only doors and texts are recognised; open a library "
-                              "of landmarks to recognise more");
+        warnings.emplace_back(kNoTrainedLandmarks);
     }
     if (m_options.text) {
         auto reader = recognition::TextReader::create(m_options.textReader);

@@ -56,6 +56,11 @@ struct PerceptionOptions {
     Result<void> check() const;
 };
 
+/// The remark on a walk without trained landmarks; compared with by who says it in another language.
+inline constexpr const char* kNoTrainedLandmarks =
+    "no trained landmarks: only doors and texts are recognised; open a library of landmarks to recognise "
+    "more";
+
 class Perception {
 public:
     /// `library` may be null: no trained landmarks. `warnings` tells what had to be left out (no landmarks,

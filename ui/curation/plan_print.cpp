@@ -67,6 +67,8 @@ bool printPlan(const std::shared_ptr<const building::Building>& building, const 
             paintPage(painter, scene, level, overlay, QSizeF(writer.width(), writer.height()));
         }
     }
+    // commit() alone forgets that the last bytes could not be written, and puts a cut file in place.
+    if (!target.flush()) target.cancelWriting();
     return target.commit();
 }
 

@@ -231,7 +231,11 @@ session::SessionHandlers Walk::handlersFor(std::uint64_t serial) {
     };
     handlers.warning = [this, post](const guidance::Cue& cue) { post([this, cue] { Q_EMIT cueCame(cue); }); };
     handlers.message = [this, post](double, std::uint64_t, const std::string& text) {
-        post([this, text = toQString(text)] { Q_EMIT remark(text); });
+        const QString words = text == session::kNoTrainedLandmarks
+                                  ? tr("No trained landmarks: only doors and texts are recognised. Open a "
+                                       "library of landmarks to recognise more.")
+                                  : toQString(text);
+        post([this, words] { Q_EMIT remark(words); });
     };
     handlers.state = [this, post](session::RunState state) {
         post([this, state] {

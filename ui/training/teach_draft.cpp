@@ -26,7 +26,8 @@ QString pictureName(const std::string& bytes) {
 
 Result<void> written(const QString& path, const QByteArray& bytes) {
     QSaveFile file(path);
-    if (file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size() && file.commit()) return {};
+    if (file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size() && file.flush() && file.commit())
+        return {};
     return Error{ErrorCode::Io,
                  "what you are teaching cannot be kept on disk (" + toUtf8(file.errorString()) +
                      "); it would be lost with the program",

@@ -296,7 +296,8 @@ void TrainingPage::saveCsv() {
     if (file.isEmpty()) return;
     QSaveFile out(file);
     const QByteArray bytes = m_panel->confusion().csv();
-    if (out.open(QIODevice::WriteOnly) && out.write(bytes) == bytes.size() && out.commit()) return;
+    if (out.open(QIODevice::WriteOnly) && out.write(bytes) == bytes.size() && out.flush() && out.commit())
+        return;
     m_banners->show(kFailure,
                     {BannerKind::Problem,
                      tr("%1 cannot be written. Choose another folder.").arg(QDir::toNativeSeparators(file)),

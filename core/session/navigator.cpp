@@ -44,31 +44,8 @@ std::vector<localisation::Observation> observationsOf(const Percept& percept) {
     return seen;
 }
 
-std::optional<building::AccessKind> accessKind(routing::ManoeuvreKind kind) {
-    using routing::ManoeuvreKind;
-    switch (kind) {
-    case ManoeuvreKind::Door:
-        return building::AccessKind::Door;
-    case ManoeuvreKind::Opening:
-        return building::AccessKind::Opening;
-    case ManoeuvreKind::Stairs:
-        return building::AccessKind::Stairs;
-    case ManoeuvreKind::Elevator:
-        return building::AccessKind::Elevator;
-    case ManoeuvreKind::Escalator:
-        return building::AccessKind::Escalator;
-    case ManoeuvreKind::Ramp:
-        return building::AccessKind::Ramp;
-    case ManoeuvreKind::Start:
-    case ManoeuvreKind::Turn:
-    case ManoeuvreKind::Arrive:
-        break;
-    }
-    return std::nullopt;
-}
-
 /// What a cue tells to pass; empty: it tells no way.
-std::optional<localisation::ToldWay> toldBy(const guidance::Cue& cue) {
+std::optional<localisation::ToldWay> toldBy(const building::Building& building, const guidance::Cue& cue) {
     using guidance::CueKind;
     bool tells = cue.kind == CueKind::RouteStart || cue.kind == CueKind::Prepare ||
                  cue.kind == CueKind::Act || cue.kind == CueKind::OffRoute || cue.kind == CueKind::Arrived ||
@@ -76,9 +53,8 @@ std::optional<localisation::ToldWay> toldBy(const guidance::Cue& cue) {
     if (!tells) return std::nullopt;
     localisation::ToldWay way;
     for (const std::optional<routing::Manoeuvre>& each : {cue.manoeuvre, cue.next}) {
-        if (!each) continue;
-        if (auto kind = accessKind(each->kind))
-            way.passages.push_back({*kind, each->level, each->targetLevel});
+        const building::Access* access = each ? building.access(each->access) : nullptr;
+        if (access != nullptr) way.passages.push_back({access->kind, each->level, each->targetLevel});
     }
     return way;
 }
@@ -165,7 +141,7 @@ NavigationStep Navigator::advance(Percept percept) {
     step.progress = m_tracker.update(step.fix);
     step.cues = m_scheduler.update(percept.frame, step.fix, step.progress, step.fresh);
     for (const guidance::Cue& cue : step.cues)
-        if (auto way = toldBy(cue)) m_localiser->told(*way);
+        if (auto way = toldBy(*m_building, cue)) m_localiser->told(*way);
     step.percept = std::move(percept);
     m_lastFix = step.fix;
     return step;

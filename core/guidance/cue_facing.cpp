@@ -42,6 +42,8 @@ std::optional<int> CueStep::hourTo(const Manoeuvre& manoeuvre) const {
     bool along = m_memory.advance && m_memory.advance->along;
     if (!m_sure || !along || !m_fix.heading || !m_fix.position || age() > kFreshSeconds) return std::nullopt;
     if (!m_fix.level || *m_fix.level != manoeuvre.level) return std::nullopt;
+    // A followed heading is always fresh, but not always good.
+    if (m_fix.followed && !headingIsGood()) return std::nullopt;
     Point2 ahead = manoeuvre.position - *m_fix.position;
     if (length(ahead) < 2.0 * m_fix.sigmaM || length(ahead) < 1.0) return std::nullopt;
     return clockHour(directionOf(ahead) - *m_fix.heading);

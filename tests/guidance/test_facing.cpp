@@ -68,6 +68,19 @@ TEST(Facing, AVagueHeadingTurnsNobody) {
     }
 }
 
+TEST(Facing, AVagueHeadingGivesNoHourToWhoWalksAlong) {
+    Guided walk;
+    walk.tracker.setDestination(at("S"));
+    int orders = 0;
+    for (char spot : std::string("123456")) {
+        for (const Cue& cue : standing(walk, "K", spot, 150.0, 3.0, 70.0)) {
+            orders += cue.kind == CueKind::Prepare || cue.kind == CueKind::Act ? 1 : 0;
+            EXPECT_FALSE(cue.hour) << "the way is walked, but who knows where the camera looks?";
+        }
+    }
+    EXPECT_GT(orders, 0);
+}
+
 TEST(Facing, WhoIsTurningIsNotToldToTurnAgain) {
     Guided walk;
     walk.tracker.setDestination(at("S"));

@@ -45,6 +45,49 @@
     </message>
 </context>
 <context>
+    <name>QShortcut</name>
+    <message>
+        <source>Ctrl</source>
+        <translation>Strg</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Umschalt</translation>
+    </message>
+    <message>
+        <source>Alt</source>
+        <translation>Alt</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Pfeil hoch</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>Pfeil runter</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Pfeil links</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Pfeil rechts</translation>
+    </message>
+    <message>
+        <source>Del</source>
+        <translation>Entf</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Leertaste</translation>
+    </message>
+</context>
+<context>
     <name>farol::Options</name>
     <message>
         <source>%1 needs a number above 0, not “%2”</source>
@@ -549,6 +592,18 @@
         <source>Choose a row to see it on the plan; press Enter to change it</source>
         <translation>Wählen Sie eine Zeile, um sie auf dem Plan zu sehen; drücken Sie Eingabe, um sie zu ändern</translation>
     </message>
+    <message>
+        <source>No row has what is looked for.</source>
+        <translation>Keine Zeile enthält, was gesucht wird.</translation>
+    </message>
+    <message>
+        <source>The map has none of these.</source>
+        <translation>Die Karte hat nichts davon.</translation>
+    </message>
+    <message>
+        <source>No map is open.</source>
+        <translation>Es ist keine Karte geöffnet.</translation>
+    </message>
 </context>
 <context>
     <name>farol::ui::Figures</name>
@@ -686,8 +741,12 @@
         <translation>Was gefunden wurde</translation>
     </message>
     <message>
-        <source>Features</source>
-        <translation>Objekte</translation>
+        <source>In English: %1</source>
+        <translation>Auf Englisch: %1</translation>
+    </message>
+    <message>
+        <source>How many</source>
+        <translation>Wie viele</translation>
     </message>
 </context>
 <context>
@@ -937,14 +996,6 @@ Open a camera, a video or a folder of pictures, then press Play.</source>
         <translation>F7 prüft die ganze Bibliothek: wie gut jede Landmarke gefunden wird, aus welcher Entfernung, von der Seite, und welche verwechselt werden. Legen Sie zusammen, was gleich ist, und ergänzen Sie Ansichten, wo etwas verloren geht.</translation>
     </message>
     <message>
-        <source>The kiosk is for a blind user who is alone: “farol --kiosk” fills the screen and says everything. Arrows and Enter choose a destination, letters search, F1 says the keys, Escape goes back.</source>
-        <translation>Der Kiosk ist für einen blinden Benutzer, der allein ist: „farol --kiosk“ füllt den Bildschirm und sagt alles. Pfeile und Eingabe wählen ein Ziel, Buchstaben suchen, F1 sagt die Tasten, Escape geht zurück.</translation>
-    </message>
-    <message>
-        <source>Space repeats, W says where you are, A what is around you, N what comes next, L the whole way. Plus and minus change the speed of the voice. Hold Escape to leave.</source>
-        <translation>Die Leertaste wiederholt, W sagt, wo Sie sind, A, was um Sie herum ist, N, was als Nächstes kommt, L den ganzen Weg. Plus und minus ändern das Tempo der Stimme. Halten Sie Escape gedrückt, um Farol zu verlassen.</translation>
-    </message>
-    <message>
         <source>Here somebody is guided, and you watch: what the camera sees, the place on the map, what is said, and why.</source>
         <translation>Hier wird jemand geführt, und Sie sehen zu: was die Kamera sieht, der Ort auf der Karte, was gesagt wird und warum.</translation>
     </message>
@@ -987,6 +1038,14 @@ Open a camera, a video or a folder of pictures, then press Play.</source>
     <message>
         <source>Ctrl+Shift+U marks from where no landmark is seen, and Ctrl+Shift+N lists the routes that are missing. Ctrl+Shift+I lays the image of a floor plan under the floor: click two points of it and where they belong.</source>
         <translation>Strg+Umschalt+U markiert, von wo keine Landmarke zu sehen ist, und Strg+Umschalt+N listet die Wege auf, die fehlen. Strg+Umschalt+I legt das Bild eines Grundrisses unter das Stockwerk: Klicken Sie auf zwei seiner Punkte und wo sie liegen.</translation>
+    </message>
+    <message>
+        <source>The kiosk is for a blind user who is alone: “farol --kiosk” fills the screen and says everything. Arrows and Enter choose a destination, F searches by name, digits by number; F1 says all keys, Escape goes back.</source>
+        <translation>Der Kiosk ist für einen blinden Benutzer, der allein ist: „farol --kiosk“ füllt den Bildschirm und sagt alles. Pfeile und Eingabe wählen ein Ziel, F sucht nach dem Namen, Ziffern nach der Nummer; F1 sagt alle Tasten, Escape geht zurück.</translation>
+    </message>
+    <message>
+        <source>Space repeats, W says where you are, A what is around you, N what comes next, L the whole way. M is quiet, plus and minus change the speed of the voice, F2 the language, F4 goes over to two keys only. Hold Escape to leave.</source>
+        <translation>Die Leertaste wiederholt, W sagt, wo Sie sind, A, was um Sie ist, N, was als Nächstes kommt, L den ganzen Weg. M macht still, Plus und Minus ändern die Geschwindigkeit der Stimme, F2 die Sprache, F4 wechselt zu nur zwei Tasten. Escape gedrückt halten, um zu gehen.</translation>
     </message>
 </context>
 <context>
@@ -1043,10 +1102,6 @@ Open a camera, a video or a folder of pictures, then press Play.</source>
         <translation>wie im Format</translation>
     </message>
     <message>
-        <source>none</source>
-        <translation>keine</translation>
-    </message>
-    <message>
         <source>%1:</source>
         <translation>%1:</translation>
     </message>
@@ -1075,16 +1130,8 @@ Open a camera, a video or a folder of pictures, then press Play.</source>
         <translation>Welcher von mehreren Namen gilt, zum Beispiel en oder de</translation>
     </message>
     <message>
-        <source>Level stands in</source>
-        <translation>Die Ebene steht in</translation>
-    </message>
-    <message>
         <source>Where the map leaves it open: filename, z, or the name of a column</source>
         <translation>Wo die Karte es offen lässt: filename, z oder der Name einer Spalte</translation>
-    </message>
-    <message>
-        <source>Profile</source>
-        <translation>Profil</translation>
     </message>
     <message>
         <source>A file with other names of columns and codes</source>
@@ -1093,6 +1140,18 @@ Open a camera, a video or a folder of pictures, then press Play.</source>
     <message>
         <source>&amp;Import</source>
         <translation>&amp;Importieren</translation>
+    </message>
+    <message>
+        <source>none is needed</source>
+        <translation>nicht nötig</translation>
+    </message>
+    <message>
+        <source>Where the level is</source>
+        <translation>Wo das Stockwerk steht</translation>
+    </message>
+    <message>
+        <source>File of other names</source>
+        <translation>Datei anderer Namen</translation>
     </message>
 </context>
 <context>
@@ -1948,6 +2007,10 @@ Open a camera, a video or a folder of pictures, then press Play.</source>
         <source>The library was changed meanwhile; try again.</source>
         <translation>Die Bibliothek wurde inzwischen geändert; versuchen Sie es noch einmal.</translation>
     </message>
+    <message>
+        <source>another program is writing this library; try again</source>
+        <translation>ein anderes Programm schreibt gerade in diese Bibliothek; versuchen Sie es noch einmal</translation>
+    </message>
 </context>
 <context>
     <name>farol::ui::LibraryModel</name>
@@ -2131,6 +2194,21 @@ Open a camera, a video or a folder of pictures, then press Play.</source>
         <source>Rows: whose picture was shown. Columns: what was seen in it.</source>
         <translation>Zeilen: wessen Bild gezeigt wurde. Spalten: was darin gesehen wurde.</translation>
     </message>
+    <message>
+        <source>All that have several views are found well.</source>
+        <translation>Alle mit mehreren Ansichten werden gut gefunden.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n landmark(s) cannot be tried: there is only one view. Add another.</source>
+        <translation>
+            <numerusform>%n Landmarke lässt sich nicht prüfen: Es gibt nur eine Ansicht. Fügen Sie eine weitere hinzu.</numerusform>
+            <numerusform>%n Landmarken lassen sich nicht prüfen: Es gibt nur eine Ansicht. Fügen Sie eine weitere hinzu.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The photographs of the chosen landmark are shown here.</source>
+        <translation>Hier erscheinen die Fotos der gewählten Landmarke.</translation>
+    </message>
 </context>
 <context>
     <name>farol::ui::LivePage</name>
@@ -2186,6 +2264,30 @@ Open a camera, a video or a folder of pictures, then press Play.</source>
         <source>What the vote of the chosen place is made of, and what speaks for it</source>
         <translation>Woraus die Stimme für den gewählten Ort besteht und was für ihn spricht</translation>
     </message>
+    <message>
+        <source>Nothing has been said yet.</source>
+        <translation>Es wurde noch nichts gesagt.</translation>
+    </message>
+    <message>
+        <source>Nothing has been worked out yet.</source>
+        <translation>Es wurde noch nichts berechnet.</translation>
+    </message>
+    <message>
+        <source>As soon as there is a place, what speaks for it stands here.</source>
+        <translation>Sobald es einen Ort gibt, steht hier, was für ihn spricht.</translation>
+    </message>
+    <message>
+        <source>Nothing has been recognised yet.</source>
+        <translation>Es wurde noch nichts erkannt.</translation>
+    </message>
+    <message>
+        <source>Nothing is recognised in the picture.</source>
+        <translation>Im Bild ist nichts erkannt.</translation>
+    </message>
+    <message>
+        <source>No map is open.</source>
+        <translation>Es ist keine Karte geöffnet.</translation>
+    </message>
 </context>
 <context>
     <name>farol::ui::LocaliserMenu</name>
@@ -2235,10 +2337,6 @@ Führt einen blinden Menschen mit einer gewöhnlichen Kamera durch ein Gebäude:
     <message>
         <source>Walking</source>
         <translation>Begehung läuft</translation>
-    </message>
-    <message>
-        <source>Held</source>
-        <translation>Angehalten</translation>
     </message>
     <message>
         <source>The walk has ended</source>
@@ -2435,6 +2533,10 @@ Führt einen blinden Menschen mit einer gewöhnlichen Kamera durch ein Gebäude:
     <message>
         <source>&amp;Load it again</source>
         <translation>Neu &amp;laden</translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translation>Angehalten</translation>
     </message>
 </context>
 <context>
@@ -2986,6 +3088,14 @@ Führt einen blinden Menschen mit einer gewöhnlichen Kamera durch ein Gebäude:
     <message>
         <source>The user &amp;is here, in %1</source>
         <translation>Der Benutzer &amp;ist hier: %1</translation>
+    </message>
+    <message>
+        <source>The assistant had said: %1.</source>
+        <translation>Der Begleiter hatte gesagt: %1.</translation>
+    </message>
+    <message>
+        <source>said by the assistant</source>
+        <translation>vom Begleiter gesagt</translation>
     </message>
 </context>
 <context>
@@ -4768,20 +4878,24 @@ Open one with Ctrl+O.</source>
         <translation>Der Befund in Worten, und was zu tun ist</translation>
     </message>
     <message>
-        <source>Ne&amp;xt feature</source>
-        <translation>&amp;Nächstes Objekt</translation>
-    </message>
-    <message>
-        <source>Show the next feature of this finding (F4)</source>
-        <translation>Das nächste Objekt dieses Befunds zeigen (F4)</translation>
-    </message>
-    <message>
         <source>Chec&amp;k again</source>
         <translation>Noch einmal &amp;prüfen</translation>
     </message>
     <message>
         <source>Look for what is wrong with the map as it is now (F7)</source>
         <translation>Suchen, was an der Karte jetzt nicht stimmt (F7)</translation>
+    </message>
+    <message>
+        <source>Choose a finding to read what it means and what to do.</source>
+        <translation>Wählen Sie einen Befund, um zu lesen, was er bedeutet und was zu tun ist.</translation>
+    </message>
+    <message>
+        <source>Ne&amp;xt place</source>
+        <translation>Näch&amp;ster Ort</translation>
+    </message>
+    <message>
+        <source>Show the next place of this finding (F4)</source>
+        <translation>Den nächsten Ort dieses Befunds zeigen (F4)</translation>
     </message>
 </context>
 <context>
@@ -5912,6 +6026,22 @@ Open one with Ctrl+O.</source>
         <source>Dis&amp;tances:</source>
         <translation>E&amp;ntfernungen:</translation>
     </message>
+    <message>
+        <source>normal</source>
+        <translation>normal</translation>
+    </message>
+    <message>
+        <source>+%1</source>
+        <translation>+%1</translation>
+    </message>
+    <message>
+        <source>−%1</source>
+        <translation>−%1</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
 </context>
 <context>
     <name>farol::ui::SourceDialog</name>
@@ -6801,10 +6931,6 @@ Schalten Sie die Kamera ein, oder wählen Sie Bilder oder eine Aufnahme.</transl
         <translation>Anderswo &amp;speichern…</translation>
     </message>
     <message>
-        <source>Not saved: another program has changed %1 meanwhile.</source>
-        <translation>Nicht gespeichert: Ein anderes Programm hat %1 inzwischen geändert.</translation>
-    </message>
-    <message>
         <source>Open a landmark library</source>
         <translation>Landmarkenbibliothek öffnen</translation>
     </message>
@@ -6902,6 +7028,22 @@ Schalten Sie die Kamera ein, oder wählen Sie Bilder oder eine Aufnahme.</transl
         <source>Delete “%1”</source>
         <translation>„%1“ löschen</translation>
     </message>
+    <message>
+        <source>Not saved: another program has changed the same landmarks in %1. Save yours under another name; what the other program wrote stays.</source>
+        <translation>Nicht gespeichert: Ein anderes Programm hat dieselben Landmarken in %1 geändert. Speichern Sie Ihre unter einem anderen Namen; was das andere Programm geschrieben hat, bleibt.</translation>
+    </message>
+    <message>
+        <source>Another program has changed %1 meanwhile: its changes and yours are both saved. Earlier steps can no longer be undone.</source>
+        <translation>Inzwischen hat ein anderes Programm %1 geändert: Seine Änderungen und Ihre sind gespeichert. Frühere Schritte lassen sich nicht mehr zurücknehmen.</translation>
+    </message>
+    <message>
+        <source>Another program has changed %1.</source>
+        <translation>Ein anderes Programm hat %1 geändert.</translation>
+    </message>
+    <message>
+        <source>&amp;Load it again</source>
+        <translation>Neu &amp;laden</translation>
+    </message>
 </context>
 <context>
     <name>farol::ui::TrainingWords</name>
@@ -6934,14 +7076,6 @@ Schalten Sie die Kamera ein, oder wählen Sie Bilder oder eine Aufnahme.</transl
         <translation>Als Nächstes: gerade von vorn, aus etwa 2 Metern.</translation>
     </message>
     <message>
-        <source>Next: from the left, so that you see it aslant.</source>
-        <translation>Als Nächstes: von links, sodass Sie es schräg sehen.</translation>
-    </message>
-    <message>
-        <source>Next: from the right, so that you see it aslant.</source>
-        <translation>Als Nächstes: von rechts, sodass Sie es schräg sehen.</translation>
-    </message>
-    <message>
         <source>Next: from farther away, about twice as far.</source>
         <translation>Als Nächstes: von weiter weg, etwa doppelt so weit.</translation>
     </message>
@@ -6954,10 +7088,6 @@ Schalten Sie die Kamera ein, oder wählen Sie Bilder oder eine Aufnahme.</transl
         <translation>Diese Ansichten genügen. Mehr schadet nicht.</translation>
     </message>
     <message>
-        <source>There is one view only: nothing to look for it with. Add another.</source>
-        <translation>Es gibt nur eine Ansicht: nichts, womit sie zu suchen wäre. Fügen Sie eine weitere hinzu.</translation>
-    </message>
-    <message>
         <source>Found in %1 of its %2 views by the others.</source>
         <translation>In %1 seiner %2 Ansichten durch die anderen gefunden.</translation>
     </message>
@@ -6968,14 +7098,6 @@ Schalten Sie die Kamera ein, oder wählen Sie Bilder oder eine Aufnahme.</transl
     <message>
         <source>Found down to a size of %1 pixels in the picture; give its real size to learn how far that is.</source>
         <translation>Bis zu einer Größe von %1 Pixeln im Bild gefunden; geben Sie die wirkliche Größe an, um zu erfahren, wie weit das ist.</translation>
-    </message>
-    <message>
-        <source>Found up to %1 degrees aside.</source>
-        <translation>Bis %1 Grad von der Seite gefunden.</translation>
-    </message>
-    <message>
-        <source>Not found from aside. Add views from the left and the right.</source>
-        <translation>Von der Seite nicht gefunden. Fügen Sie Ansichten von links und rechts hinzu.</translation>
     </message>
     <message>
         <source>Never found when shown smaller or turned. Choose something with more detail.</source>
@@ -7020,6 +7142,26 @@ Schalten Sie die Kamera ein, oder wählen Sie Bilder oder eine Aufnahme.</transl
     <message>
         <source>No view is straight from the front: add one, to learn from how far it is found.</source>
         <translation>Keine Ansicht ist gerade von vorn: Fügen Sie eine hinzu, um zu erfahren, aus welcher Entfernung es gefunden wird.</translation>
+    </message>
+    <message>
+        <source>Next: from the left, at an angle.</source>
+        <translation>Als Nächstes: von links, schräg.</translation>
+    </message>
+    <message>
+        <source>Next: from the right, at an angle.</source>
+        <translation>Als Nächstes: von rechts, schräg.</translation>
+    </message>
+    <message>
+        <source>There is only one view: add another, so that it can be tried.</source>
+        <translation>Es gibt nur eine Ansicht: Fügen Sie eine weitere hinzu, damit sie sich prüfen lässt.</translation>
+    </message>
+    <message>
+        <source>Found at angles of up to %1 degrees.</source>
+        <translation>Bis zu einem Winkel von %1 Grad gefunden.</translation>
+    </message>
+    <message>
+        <source>Not found at an angle. Add views from the left and the right.</source>
+        <translation>Schräg nicht gefunden. Fügen Sie Ansichten von links und rechts hinzu.</translation>
     </message>
 </context>
 <context>

@@ -129,6 +129,13 @@
             <numerusform>%n landmarks</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n landmark(s) cannot be tried: there is only one view. Add another.</source>
+        <translation>
+            <numerusform>%n landmark cannot be tried: there is only one view. Add another.</numerusform>
+            <numerusform>%n landmarks cannot be tried: there is only one view. Add another.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>farol::ui::MapPanel</name>

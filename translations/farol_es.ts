@@ -45,6 +45,49 @@
     </message>
 </context>
 <context>
+    <name>QShortcut</name>
+    <message>
+        <source>Ctrl</source>
+        <translation>Ctrl</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Mayús</translation>
+    </message>
+    <message>
+        <source>Alt</source>
+        <translation>Alt</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Flecha arriba</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>Flecha abajo</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Flecha izquierda</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Flecha derecha</translation>
+    </message>
+    <message>
+        <source>Del</source>
+        <translation>Supr</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Espacio</translation>
+    </message>
+</context>
+<context>
     <name>farol::Options</name>
     <message>
         <source>%1 needs a number above 0, not “%2”</source>
@@ -549,6 +592,18 @@
         <source>Choose a row to see it on the plan; press Enter to change it</source>
         <translation>Elija una fila para verla en el plano; pulse Intro para cambiarla</translation>
     </message>
+    <message>
+        <source>No row has what is looked for.</source>
+        <translation>Ninguna fila tiene lo que se busca.</translation>
+    </message>
+    <message>
+        <source>The map has none of these.</source>
+        <translation>El mapa no tiene ninguno de estos.</translation>
+    </message>
+    <message>
+        <source>No map is open.</source>
+        <translation>No hay ningún mapa abierto.</translation>
+    </message>
 </context>
 <context>
     <name>farol::ui::Figures</name>
@@ -686,8 +741,12 @@
         <translation>Qué se encontró</translation>
     </message>
     <message>
-        <source>Features</source>
-        <translation>Elementos</translation>
+        <source>In English: %1</source>
+        <translation>En inglés: %1</translation>
+    </message>
+    <message>
+        <source>How many</source>
+        <translation>Cuántos</translation>
     </message>
 </context>
 <context>
@@ -937,14 +996,6 @@ Abra una cámara, un vídeo o una carpeta de imágenes y pulse Reproducir.</tran
         <translation>F7 comprueba toda la biblioteca: qué tal se encuentra cada punto de referencia, a qué distancia, de lado, y cuáles se confunden. Una lo que es igual y añada vistas a lo que se pierde.</translation>
     </message>
     <message>
-        <source>The kiosk is for a blind user who is alone: “farol --kiosk” fills the screen and says everything. Arrows and Enter choose a destination, letters search, F1 says the keys, Escape goes back.</source>
-        <translation>El quiosco es para un usuario ciego que está solo: “farol --kiosk” llena la pantalla y lo dice todo. Flechas e Intro eligen un destino, las letras buscan, F1 dice las teclas, Escape vuelve.</translation>
-    </message>
-    <message>
-        <source>Space repeats, W says where you are, A what is around you, N what comes next, L the whole way. Plus and minus change the speed of the voice. Hold Escape to leave.</source>
-        <translation>Espacio repite, W dice dónde está, A qué hay alrededor, N qué viene después, L todo el camino. Más y menos cambian la velocidad de la voz. Mantenga pulsado Escape para salir.</translation>
-    </message>
-    <message>
         <source>Here somebody is guided, and you watch: what the camera sees, the place on the map, what is said, and why.</source>
         <translation>Aquí se guía a alguien y usted observa: qué ve la cámara, el lugar en el mapa, qué se dice y por qué.</translation>
     </message>
@@ -987,6 +1038,14 @@ Abra una cámara, un vídeo o una carpeta de imágenes y pulse Reproducir.</tran
     <message>
         <source>Ctrl+Shift+U marks from where no landmark is seen, and Ctrl+Shift+N lists the routes that are missing. Ctrl+Shift+I lays the image of a floor plan under the floor: click two points of it and where they belong.</source>
         <translation>Ctrl+Mayús+U marca desde dónde no se ve ningún punto de referencia, y Ctrl+Mayús+N enumera las rutas que faltan. Ctrl+Mayús+I pone la imagen de un plano bajo la planta: pulse dos puntos de ella y donde están.</translation>
+    </message>
+    <message>
+        <source>The kiosk is for a blind user who is alone: “farol --kiosk” fills the screen and says everything. Arrows and Enter choose a destination, F searches by name, digits by number; F1 says all keys, Escape goes back.</source>
+        <translation>El quiosco es para un usuario ciego que está solo: «farol --kiosk» llena la pantalla y lo dice todo. Las flechas e Intro eligen el destino, F busca por el nombre, las cifras por el número; F1 dice todas las teclas, Escape vuelve atrás.</translation>
+    </message>
+    <message>
+        <source>Space repeats, W says where you are, A what is around you, N what comes next, L the whole way. M is quiet, plus and minus change the speed of the voice, F2 the language, F4 goes over to two keys only. Hold Escape to leave.</source>
+        <translation>El espacio repite, W dice dónde está, A lo que hay alrededor, N lo que viene, L todo el camino. M calla, más y menos cambian la velocidad de la voz, F2 el idioma, F4 pasa a solo dos teclas. Mantenga Escape pulsado para salir.</translation>
     </message>
 </context>
 <context>
@@ -1043,10 +1102,6 @@ Abra una cámara, un vídeo o una carpeta de imágenes y pulse Reproducir.</tran
         <translation>como lo tiene el formato</translation>
     </message>
     <message>
-        <source>none</source>
-        <translation>ninguno</translation>
-    </message>
-    <message>
         <source>%1:</source>
         <translation>%1:</translation>
     </message>
@@ -1075,16 +1130,8 @@ Abra una cámara, un vídeo o una carpeta de imágenes y pulse Reproducir.</tran
         <translation>Cuál de varios nombres se toma, por ejemplo en o es</translation>
     </message>
     <message>
-        <source>Level stands in</source>
-        <translation>La planta está en</translation>
-    </message>
-    <message>
         <source>Where the map leaves it open: filename, z, or the name of a column</source>
         <translation>Donde el mapa no lo dice: filename, z o el nombre de una columna</translation>
-    </message>
-    <message>
-        <source>Profile</source>
-        <translation>Perfil</translation>
     </message>
     <message>
         <source>A file with other names of columns and codes</source>
@@ -1093,6 +1140,18 @@ Abra una cámara, un vídeo o una carpeta de imágenes y pulse Reproducir.</tran
     <message>
         <source>&amp;Import</source>
         <translation>&amp;Importar</translation>
+    </message>
+    <message>
+        <source>none is needed</source>
+        <translation>no hace falta</translation>
+    </message>
+    <message>
+        <source>Where the level is</source>
+        <translation>Dónde está la planta</translation>
+    </message>
+    <message>
+        <source>File of other names</source>
+        <translation>Archivo de otros nombres</translation>
     </message>
 </context>
 <context>
@@ -1948,6 +2007,10 @@ Abra una cámara, un vídeo o una carpeta de imágenes y pulse Reproducir.</tran
         <source>The library was changed meanwhile; try again.</source>
         <translation>La biblioteca cambió entretanto; inténtelo de nuevo.</translation>
     </message>
+    <message>
+        <source>another program is writing this library; try again</source>
+        <translation>otro programa está escribiendo en esta biblioteca; inténtelo de nuevo</translation>
+    </message>
 </context>
 <context>
     <name>farol::ui::LibraryModel</name>
@@ -2131,6 +2194,21 @@ Abra una cámara, un vídeo o una carpeta de imágenes y pulse Reproducir.</tran
         <source>Rows: whose picture was shown. Columns: what was seen in it.</source>
         <translation>Filas: de quién era la imagen mostrada. Columnas: qué se vio en ella.</translation>
     </message>
+    <message>
+        <source>All that have several views are found well.</source>
+        <translation>Todos los que tienen varias vistas se encuentran bien.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n landmark(s) cannot be tried: there is only one view. Add another.</source>
+        <translation>
+            <numerusform>%n punto de referencia no se puede probar: solo tiene una vista. Añada otra.</numerusform>
+            <numerusform>%n puntos de referencia no se pueden probar: solo tienen una vista. Añada otra.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The photographs of the chosen landmark are shown here.</source>
+        <translation>Aquí se muestran las fotografías del punto elegido.</translation>
+    </message>
 </context>
 <context>
     <name>farol::ui::LivePage</name>
@@ -2186,6 +2264,30 @@ Abra una cámara, un vídeo o una carpeta de imágenes y pulse Reproducir.</tran
         <source>What the vote of the chosen place is made of, and what speaks for it</source>
         <translation>De qué se compone el voto del lugar elegido y qué habla a su favor</translation>
     </message>
+    <message>
+        <source>Nothing has been said yet.</source>
+        <translation>Todavía no se ha dicho nada.</translation>
+    </message>
+    <message>
+        <source>Nothing has been worked out yet.</source>
+        <translation>Todavía no se ha calculado nada.</translation>
+    </message>
+    <message>
+        <source>As soon as there is a place, what speaks for it stands here.</source>
+        <translation>En cuanto haya un lugar, aquí está lo que habla por él.</translation>
+    </message>
+    <message>
+        <source>Nothing has been recognised yet.</source>
+        <translation>Todavía no se ha reconocido nada.</translation>
+    </message>
+    <message>
+        <source>Nothing is recognised in the picture.</source>
+        <translation>No se reconoce nada en la imagen.</translation>
+    </message>
+    <message>
+        <source>No map is open.</source>
+        <translation>No hay ningún mapa abierto.</translation>
+    </message>
 </context>
 <context>
     <name>farol::ui::LocaliserMenu</name>
@@ -2235,10 +2337,6 @@ Guía a una persona ciega por un edificio con una cámara corriente: reconoce lo
     <message>
         <source>Walking</source>
         <translation>En recorrido</translation>
-    </message>
-    <message>
-        <source>Held</source>
-        <translation>En pausa</translation>
     </message>
     <message>
         <source>The walk has ended</source>
@@ -2435,6 +2533,10 @@ Guía a una persona ciega por un edificio con una cámara corriente: reconoce lo
     <message>
         <source>&amp;Load it again</source>
         <translation>&amp;Cargarlo de nuevo</translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translation>En pausa</translation>
     </message>
 </context>
 <context>
@@ -2986,6 +3088,14 @@ Guía a una persona ciega por un edificio con una cámara corriente: reconoce lo
     <message>
         <source>The user &amp;is here, in %1</source>
         <translation>El usuario e&amp;stá aquí, en %1</translation>
+    </message>
+    <message>
+        <source>The assistant had said: %1.</source>
+        <translation>El asistente había dicho: %1.</translation>
+    </message>
+    <message>
+        <source>said by the assistant</source>
+        <translation>dicho por el asistente</translation>
     </message>
 </context>
 <context>
@@ -4768,20 +4878,24 @@ Abra uno con Ctrl+O.</translation>
         <translation>El hallazgo en palabras, y qué hacer</translation>
     </message>
     <message>
-        <source>Ne&amp;xt feature</source>
-        <translation>Elemento &amp;siguiente</translation>
-    </message>
-    <message>
-        <source>Show the next feature of this finding (F4)</source>
-        <translation>Mostrar el elemento siguiente de este hallazgo (F4)</translation>
-    </message>
-    <message>
         <source>Chec&amp;k again</source>
         <translation>Comprobar de &amp;nuevo</translation>
     </message>
     <message>
         <source>Look for what is wrong with the map as it is now (F7)</source>
         <translation>Buscar qué está mal en el mapa tal como está (F7)</translation>
+    </message>
+    <message>
+        <source>Choose a finding to read what it means and what to do.</source>
+        <translation>Elija un resultado para leer qué significa y qué hacer.</translation>
+    </message>
+    <message>
+        <source>Ne&amp;xt place</source>
+        <translation>Lugar &amp;siguiente</translation>
+    </message>
+    <message>
+        <source>Show the next place of this finding (F4)</source>
+        <translation>Mostrar el lugar siguiente de este resultado (F4)</translation>
     </message>
 </context>
 <context>
@@ -5912,6 +6026,22 @@ Abra uno con Ctrl+O.</translation>
         <source>Dis&amp;tances:</source>
         <translation>Dis&amp;tancias:</translation>
     </message>
+    <message>
+        <source>normal</source>
+        <translation>normal</translation>
+    </message>
+    <message>
+        <source>+%1</source>
+        <translation>+%1</translation>
+    </message>
+    <message>
+        <source>−%1</source>
+        <translation>−%1</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
 </context>
 <context>
     <name>farol::ui::SourceDialog</name>
@@ -6801,10 +6931,6 @@ Encienda la cámara, o elija imágenes o una grabación.</translation>
         <translation>&amp;Guardar en otro sitio…</translation>
     </message>
     <message>
-        <source>Not saved: another program has changed %1 meanwhile.</source>
-        <translation>No guardado: otro programa cambió %1 entretanto.</translation>
-    </message>
-    <message>
         <source>Open a landmark library</source>
         <translation>Abrir una biblioteca de puntos de referencia</translation>
     </message>
@@ -6902,6 +7028,22 @@ Encienda la cámara, o elija imágenes o una grabación.</translation>
         <source>Delete “%1”</source>
         <translation>Eliminar “%1”</translation>
     </message>
+    <message>
+        <source>Not saved: another program has changed the same landmarks in %1. Save yours under another name; what the other program wrote stays.</source>
+        <translation>No guardado: otro programa ha cambiado los mismos puntos de referencia en %1. Guarde los suyos con otro nombre; lo que escribió el otro programa se queda.</translation>
+    </message>
+    <message>
+        <source>Another program has changed %1 meanwhile: its changes and yours are both saved. Earlier steps can no longer be undone.</source>
+        <translation>Entretanto otro programa ha cambiado %1: sus cambios y los de usted están guardados. Los pasos anteriores ya no se pueden deshacer.</translation>
+    </message>
+    <message>
+        <source>Another program has changed %1.</source>
+        <translation>Otro programa ha cambiado %1.</translation>
+    </message>
+    <message>
+        <source>&amp;Load it again</source>
+        <translation>&amp;Cargar de nuevo</translation>
+    </message>
 </context>
 <context>
     <name>farol::ui::TrainingWords</name>
@@ -6934,14 +7076,6 @@ Encienda la cámara, o elija imágenes o una grabación.</translation>
         <translation>Siguiente: de frente, a unos 2 metros.</translation>
     </message>
     <message>
-        <source>Next: from the left, so that you see it aslant.</source>
-        <translation>Siguiente: desde la izquierda, de modo que se vea de lado.</translation>
-    </message>
-    <message>
-        <source>Next: from the right, so that you see it aslant.</source>
-        <translation>Siguiente: desde la derecha, de modo que se vea de lado.</translation>
-    </message>
-    <message>
         <source>Next: from farther away, about twice as far.</source>
         <translation>Siguiente: desde más lejos, cerca del doble.</translation>
     </message>
@@ -6954,10 +7088,6 @@ Encienda la cámara, o elija imágenes o una grabación.</translation>
         <translation>Estas vistas bastan. Más no hacen daño.</translation>
     </message>
     <message>
-        <source>There is one view only: nothing to look for it with. Add another.</source>
-        <translation>Solo hay una vista: no hay nada con que buscarla. Añada otra.</translation>
-    </message>
-    <message>
         <source>Found in %1 of its %2 views by the others.</source>
         <translation>Encontrado en %1 de sus %2 vistas por las demás.</translation>
     </message>
@@ -6968,14 +7098,6 @@ Encienda la cámara, o elija imágenes o una grabación.</translation>
     <message>
         <source>Found down to a size of %1 pixels in the picture; give its real size to learn how far that is.</source>
         <translation>Encontrado hasta un tamaño de %1 píxeles en la imagen; indique su tamaño real para saber a qué distancia es eso.</translation>
-    </message>
-    <message>
-        <source>Found up to %1 degrees aside.</source>
-        <translation>Encontrado hasta %1 grados de lado.</translation>
-    </message>
-    <message>
-        <source>Not found from aside. Add views from the left and the right.</source>
-        <translation>No encontrado de lado. Añada vistas desde la izquierda y la derecha.</translation>
     </message>
     <message>
         <source>Never found when shown smaller or turned. Choose something with more detail.</source>
@@ -7020,6 +7142,26 @@ Encienda la cámara, o elija imágenes o una grabación.</translation>
     <message>
         <source>No view is straight from the front: add one, to learn from how far it is found.</source>
         <translation>Ninguna vista es de frente: añada una, para saber desde qué distancia se encuentra.</translation>
+    </message>
+    <message>
+        <source>Next: from the left, at an angle.</source>
+        <translation>Ahora: desde la izquierda, en ángulo.</translation>
+    </message>
+    <message>
+        <source>Next: from the right, at an angle.</source>
+        <translation>Ahora: desde la derecha, en ángulo.</translation>
+    </message>
+    <message>
+        <source>There is only one view: add another, so that it can be tried.</source>
+        <translation>Solo hay una vista: añada otra, para poder probarlo.</translation>
+    </message>
+    <message>
+        <source>Found at angles of up to %1 degrees.</source>
+        <translation>Se encuentra en ángulos de hasta %1 grados.</translation>
+    </message>
+    <message>
+        <source>Not found at an angle. Add views from the left and the right.</source>
+        <translation>No se encuentra en ángulo. Añada vistas desde la izquierda y la derecha.</translation>
     </message>
 </context>
 <context>

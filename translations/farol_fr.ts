@@ -45,6 +45,49 @@
     </message>
 </context>
 <context>
+    <name>QShortcut</name>
+    <message>
+        <source>Ctrl</source>
+        <translation>Ctrl</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Maj</translation>
+    </message>
+    <message>
+        <source>Alt</source>
+        <translation>Alt</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Haut</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>Bas</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Gauche</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Droite</translation>
+    </message>
+    <message>
+        <source>Del</source>
+        <translation>Suppr</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Échap</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Espace</translation>
+    </message>
+</context>
+<context>
     <name>farol::Options</name>
     <message>
         <source>%1 needs a number above 0, not “%2”</source>
@@ -549,6 +592,18 @@
         <source>Choose a row to see it on the plan; press Enter to change it</source>
         <translation>Choisissez une ligne pour la voir sur le plan&#xa0;; appuyez sur Entrée pour la modifier</translation>
     </message>
+    <message>
+        <source>No row has what is looked for.</source>
+        <translation>Aucune ligne ne contient ce qui est cherché.</translation>
+    </message>
+    <message>
+        <source>The map has none of these.</source>
+        <translation>La carte n&apos;en a aucun.</translation>
+    </message>
+    <message>
+        <source>No map is open.</source>
+        <translation>Aucune carte n&apos;est ouverte.</translation>
+    </message>
 </context>
 <context>
     <name>farol::ui::Figures</name>
@@ -686,8 +741,12 @@
         <translation>Ce qui a été trouvé</translation>
     </message>
     <message>
-        <source>Features</source>
-        <translation>Éléments</translation>
+        <source>In English: %1</source>
+        <translation>En anglais&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>How many</source>
+        <translation>Combien</translation>
     </message>
 </context>
 <context>
@@ -937,14 +996,6 @@ Ouvrez une caméra, une vidéo ou un dossier d&apos;images, puis appuyez sur Lec
         <translation>F7 vérifie toute la bibliothèque&#xa0;: si chaque repère est bien trouvé, de quelle distance, de quel côté, et lesquels sont confondus. Fusionnez ce qui est pareil, et ajoutez des vues à ce qui est perdu.</translation>
     </message>
     <message>
-        <source>The kiosk is for a blind user who is alone: “farol --kiosk” fills the screen and says everything. Arrows and Enter choose a destination, letters search, F1 says the keys, Escape goes back.</source>
-        <translation>La borne est pour un utilisateur aveugle et seul&#xa0;: «&#xa0;farol --kiosk&#xa0;» remplit l&apos;écran et dit tout. Flèches et Entrée choisissent une destination, les lettres cherchent, F1 dit les touches, Échap revient.</translation>
-    </message>
-    <message>
-        <source>Space repeats, W says where you are, A what is around you, N what comes next, L the whole way. Plus and minus change the speed of the voice. Hold Escape to leave.</source>
-        <translation>Espace répète, W dit où vous êtes, A ce qui vous entoure, N ce qui vient ensuite, L tout le chemin. Plus et moins changent la vitesse de la voix. Maintenez Échap pour quitter.</translation>
-    </message>
-    <message>
         <source>Here somebody is guided, and you watch: what the camera sees, the place on the map, what is said, and why.</source>
         <translation>Ici, quelqu&apos;un est guidé et vous suivez&#xa0;: ce que voit la caméra, le lieu sur la carte, ce qui est dit, et pourquoi.</translation>
     </message>
@@ -987,6 +1038,14 @@ Ouvrez une caméra, une vidéo ou un dossier d&apos;images, puis appuyez sur Lec
     <message>
         <source>Ctrl+Shift+U marks from where no landmark is seen, and Ctrl+Shift+N lists the routes that are missing. Ctrl+Shift+I lays the image of a floor plan under the floor: click two points of it and where they belong.</source>
         <translation>Ctrl+Maj+U marque d&apos;où l&apos;on ne voit aucun repère, et Ctrl+Maj+N énumère les itinéraires qui manquent. Ctrl+Maj+I pose l&apos;image d&apos;un plan sous l&apos;étage&#xa0;: cliquez sur deux de ses points et là où ils se trouvent.</translation>
+    </message>
+    <message>
+        <source>The kiosk is for a blind user who is alone: “farol --kiosk” fills the screen and says everything. Arrows and Enter choose a destination, F searches by name, digits by number; F1 says all keys, Escape goes back.</source>
+        <translation>La borne est pour un utilisateur aveugle qui est seul&#xa0;: «&#xa0;farol --kiosk&#xa0;» remplit l&apos;écran et dit tout. Les flèches et Entrée choisissent la destination, F cherche par le nom, les chiffres par le numéro&#xa0;; F1 dit toutes les touches, Échap revient en arrière.</translation>
+    </message>
+    <message>
+        <source>Space repeats, W says where you are, A what is around you, N what comes next, L the whole way. M is quiet, plus and minus change the speed of the voice, F2 the language, F4 goes over to two keys only. Hold Escape to leave.</source>
+        <translation>Espace répète, W dit où vous êtes, A ce qui vous entoure, N ce qui suit, L tout le chemin. M fait taire, plus et moins changent la vitesse de la voix, F2 la langue, F4 passe à deux touches seulement. Maintenez Échap pour quitter.</translation>
     </message>
 </context>
 <context>
@@ -1043,10 +1102,6 @@ Ouvrez une caméra, une vidéo ou un dossier d&apos;images, puis appuyez sur Lec
         <translation>comme dans le format</translation>
     </message>
     <message>
-        <source>none</source>
-        <translation>aucun</translation>
-    </message>
-    <message>
         <source>%1:</source>
         <translation>%1&#xa0;:</translation>
     </message>
@@ -1075,16 +1130,8 @@ Ouvrez une caméra, une vidéo ou un dossier d&apos;images, puis appuyez sur Lec
         <translation>Lequel de plusieurs noms est pris, par exemple en ou fr</translation>
     </message>
     <message>
-        <source>Level stands in</source>
-        <translation>Le niveau se trouve dans</translation>
-    </message>
-    <message>
         <source>Where the map leaves it open: filename, z, or the name of a column</source>
         <translation>Si la carte ne le dit pas&#xa0;: filename, z ou le nom d&apos;une colonne</translation>
-    </message>
-    <message>
-        <source>Profile</source>
-        <translation>Profil</translation>
     </message>
     <message>
         <source>A file with other names of columns and codes</source>
@@ -1093,6 +1140,18 @@ Ouvrez une caméra, une vidéo ou un dossier d&apos;images, puis appuyez sur Lec
     <message>
         <source>&amp;Import</source>
         <translation>&amp;Importer</translation>
+    </message>
+    <message>
+        <source>none is needed</source>
+        <translation>pas nécessaire</translation>
+    </message>
+    <message>
+        <source>Where the level is</source>
+        <translation>Où est l&apos;étage</translation>
+    </message>
+    <message>
+        <source>File of other names</source>
+        <translation>Fichier d&apos;autres noms</translation>
     </message>
 </context>
 <context>
@@ -1948,6 +2007,10 @@ Ouvrez une caméra, une vidéo ou un dossier d&apos;images, puis appuyez sur Lec
         <source>The library was changed meanwhile; try again.</source>
         <translation>La bibliothèque a changé entre-temps&#xa0;; réessayez.</translation>
     </message>
+    <message>
+        <source>another program is writing this library; try again</source>
+        <translation>un autre programme écrit dans cette bibliothèque&#xa0;; réessayez</translation>
+    </message>
 </context>
 <context>
     <name>farol::ui::LibraryModel</name>
@@ -2131,6 +2194,21 @@ Ouvrez une caméra, une vidéo ou un dossier d&apos;images, puis appuyez sur Lec
         <source>Rows: whose picture was shown. Columns: what was seen in it.</source>
         <translation>Lignes&#xa0;: de qui venait l&apos;image montrée. Colonnes&#xa0;: ce qui y a été vu.</translation>
     </message>
+    <message>
+        <source>All that have several views are found well.</source>
+        <translation>Tous ceux qui ont plusieurs vues se retrouvent bien.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n landmark(s) cannot be tried: there is only one view. Add another.</source>
+        <translation>
+            <numerusform>%n repère ne peut pas être essayé&#xa0;: il n&apos;a qu&apos;une vue. Ajoutez-en une.</numerusform>
+            <numerusform>%n repères ne peuvent pas être essayés&#xa0;: ils n&apos;ont qu&apos;une vue. Ajoutez-en une.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The photographs of the chosen landmark are shown here.</source>
+        <translation>Les photographies du repère choisi s&apos;affichent ici.</translation>
+    </message>
 </context>
 <context>
     <name>farol::ui::LivePage</name>
@@ -2186,6 +2264,30 @@ Ouvrez une caméra, une vidéo ou un dossier d&apos;images, puis appuyez sur Lec
         <source>What the vote of the chosen place is made of, and what speaks for it</source>
         <translation>De quoi se compose le vote du lieu choisi, et ce qui parle pour lui</translation>
     </message>
+    <message>
+        <source>Nothing has been said yet.</source>
+        <translation>Rien n&apos;a encore été dit.</translation>
+    </message>
+    <message>
+        <source>Nothing has been worked out yet.</source>
+        <translation>Rien n&apos;a encore été calculé.</translation>
+    </message>
+    <message>
+        <source>As soon as there is a place, what speaks for it stands here.</source>
+        <translation>Dès qu&apos;il y a un lieu, ce qui parle pour lui se trouve ici.</translation>
+    </message>
+    <message>
+        <source>Nothing has been recognised yet.</source>
+        <translation>Rien n&apos;a encore été reconnu.</translation>
+    </message>
+    <message>
+        <source>Nothing is recognised in the picture.</source>
+        <translation>Rien n&apos;est reconnu dans l&apos;image.</translation>
+    </message>
+    <message>
+        <source>No map is open.</source>
+        <translation>Aucune carte n&apos;est ouverte.</translation>
+    </message>
 </context>
 <context>
     <name>farol::ui::LocaliserMenu</name>
@@ -2235,10 +2337,6 @@ Guide une personne aveugle dans un bâtiment avec une simple caméra&#xa0;: il r
     <message>
         <source>Walking</source>
         <translation>En parcours</translation>
-    </message>
-    <message>
-        <source>Held</source>
-        <translation>En pause</translation>
     </message>
     <message>
         <source>The walk has ended</source>
@@ -2435,6 +2533,10 @@ Guide une personne aveugle dans un bâtiment avec une simple caméra&#xa0;: il r
     <message>
         <source>&amp;Load it again</source>
         <translation>&amp;Le charger à nouveau</translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translation>En pause</translation>
     </message>
 </context>
 <context>
@@ -2986,6 +3088,14 @@ Guide une personne aveugle dans un bâtiment avec une simple caméra&#xa0;: il r
     <message>
         <source>The user &amp;is here, in %1</source>
         <translation>L&apos;utilisateur &amp;est ici&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>The assistant had said: %1.</source>
+        <translation>L&apos;assistant avait dit&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>said by the assistant</source>
+        <translation>dit par l&apos;assistant</translation>
     </message>
 </context>
 <context>
@@ -4768,20 +4878,24 @@ Ouvrez-en une avec Ctrl+O.</translation>
         <translation>Le constat en mots, et que faire</translation>
     </message>
     <message>
-        <source>Ne&amp;xt feature</source>
-        <translation>Élément &amp;suivant</translation>
-    </message>
-    <message>
-        <source>Show the next feature of this finding (F4)</source>
-        <translation>Montrer l&apos;élément suivant de ce constat (F4)</translation>
-    </message>
-    <message>
         <source>Chec&amp;k again</source>
         <translation>&amp;Vérifier de nouveau</translation>
     </message>
     <message>
         <source>Look for what is wrong with the map as it is now (F7)</source>
         <translation>Chercher ce qui ne va pas dans la carte telle qu&apos;elle est (F7)</translation>
+    </message>
+    <message>
+        <source>Choose a finding to read what it means and what to do.</source>
+        <translation>Choisissez un résultat pour lire ce qu&apos;il signifie et que faire.</translation>
+    </message>
+    <message>
+        <source>Ne&amp;xt place</source>
+        <translation>Lieu sui&amp;vant</translation>
+    </message>
+    <message>
+        <source>Show the next place of this finding (F4)</source>
+        <translation>Montrer le lieu suivant de ce résultat (F4)</translation>
     </message>
 </context>
 <context>
@@ -5912,6 +6026,22 @@ Ouvrez-en une avec Ctrl+O.</translation>
         <source>Dis&amp;tances:</source>
         <translation>Dis&amp;tances&#xa0;:</translation>
     </message>
+    <message>
+        <source>normal</source>
+        <translation>normale</translation>
+    </message>
+    <message>
+        <source>+%1</source>
+        <translation>+%1</translation>
+    </message>
+    <message>
+        <source>−%1</source>
+        <translation>−%1</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
 </context>
 <context>
     <name>farol::ui::SourceDialog</name>
@@ -6801,10 +6931,6 @@ Allumez la caméra, ou choisissez des images ou un enregistrement.</translation>
         <translation>Enregistrer &amp;ailleurs…</translation>
     </message>
     <message>
-        <source>Not saved: another program has changed %1 meanwhile.</source>
-        <translation>Non enregistré&#xa0;: un autre programme a modifié %1 entre-temps.</translation>
-    </message>
-    <message>
         <source>Open a landmark library</source>
         <translation>Ouvrir une bibliothèque de repères</translation>
     </message>
@@ -6902,6 +7028,22 @@ Allumez la caméra, ou choisissez des images ou un enregistrement.</translation>
         <source>Delete “%1”</source>
         <translation>Supprimer «&#xa0;%1&#xa0;»</translation>
     </message>
+    <message>
+        <source>Not saved: another program has changed the same landmarks in %1. Save yours under another name; what the other program wrote stays.</source>
+        <translation>Non enregistré&#xa0;: un autre programme a modifié les mêmes repères dans %1. Enregistrez les vôtres sous un autre nom&#xa0;; ce que l&apos;autre programme a écrit reste.</translation>
+    </message>
+    <message>
+        <source>Another program has changed %1 meanwhile: its changes and yours are both saved. Earlier steps can no longer be undone.</source>
+        <translation>Entre-temps, un autre programme a modifié %1&#xa0;: ses modifications et les vôtres sont toutes enregistrées. Les étapes précédentes ne peuvent plus être annulées.</translation>
+    </message>
+    <message>
+        <source>Another program has changed %1.</source>
+        <translation>Un autre programme a modifié %1.</translation>
+    </message>
+    <message>
+        <source>&amp;Load it again</source>
+        <translation>&amp;Charger à nouveau</translation>
+    </message>
 </context>
 <context>
     <name>farol::ui::TrainingWords</name>
@@ -6934,14 +7076,6 @@ Allumez la caméra, ou choisissez des images ou un enregistrement.</translation>
         <translation>Ensuite&#xa0;: bien en face, à environ 2 mètres.</translation>
     </message>
     <message>
-        <source>Next: from the left, so that you see it aslant.</source>
-        <translation>Ensuite&#xa0;: de la gauche, pour le voir de biais.</translation>
-    </message>
-    <message>
-        <source>Next: from the right, so that you see it aslant.</source>
-        <translation>Ensuite&#xa0;: de la droite, pour le voir de biais.</translation>
-    </message>
-    <message>
         <source>Next: from farther away, about twice as far.</source>
         <translation>Ensuite&#xa0;: de plus loin, environ deux fois plus.</translation>
     </message>
@@ -6954,10 +7088,6 @@ Allumez la caméra, ou choisissez des images ou un enregistrement.</translation>
         <translation>Ces vues suffisent. Plus ne nuit pas.</translation>
     </message>
     <message>
-        <source>There is one view only: nothing to look for it with. Add another.</source>
-        <translation>Il n&apos;y a qu&apos;une vue&#xa0;: rien pour la chercher. Ajoutez-en une autre.</translation>
-    </message>
-    <message>
         <source>Found in %1 of its %2 views by the others.</source>
         <translation>Retrouvé dans %1 de ses %2 vues par les autres.</translation>
     </message>
@@ -6968,14 +7098,6 @@ Allumez la caméra, ou choisissez des images ou un enregistrement.</translation>
     <message>
         <source>Found down to a size of %1 pixels in the picture; give its real size to learn how far that is.</source>
         <translation>Trouvé jusqu&apos;à une taille de %1 pixels dans l&apos;image&#xa0;; donnez sa taille réelle pour savoir à quelle distance.</translation>
-    </message>
-    <message>
-        <source>Found up to %1 degrees aside.</source>
-        <translation>Trouvé jusqu&apos;à %1 degrés de côté.</translation>
-    </message>
-    <message>
-        <source>Not found from aside. Add views from the left and the right.</source>
-        <translation>Non trouvé de côté. Ajoutez des vues de gauche et de droite.</translation>
     </message>
     <message>
         <source>Never found when shown smaller or turned. Choose something with more detail.</source>
@@ -7020,6 +7142,26 @@ Allumez la caméra, ou choisissez des images ou un enregistrement.</translation>
     <message>
         <source>No view is straight from the front: add one, to learn from how far it is found.</source>
         <translation>Aucune vue n&apos;est bien de face&#xa0;: ajoutez-en une, pour savoir de quelle distance il est trouvé.</translation>
+    </message>
+    <message>
+        <source>Next: from the left, at an angle.</source>
+        <translation>Ensuite&#xa0;: de la gauche, de biais.</translation>
+    </message>
+    <message>
+        <source>Next: from the right, at an angle.</source>
+        <translation>Ensuite&#xa0;: de la droite, de biais.</translation>
+    </message>
+    <message>
+        <source>There is only one view: add another, so that it can be tried.</source>
+        <translation>Il n&apos;y a qu&apos;une vue&#xa0;: ajoutez-en une, pour pouvoir l&apos;essayer.</translation>
+    </message>
+    <message>
+        <source>Found at angles of up to %1 degrees.</source>
+        <translation>Retrouvé sous des angles allant jusqu&apos;à %1 degrés.</translation>
+    </message>
+    <message>
+        <source>Not found at an angle. Add views from the left and the right.</source>
+        <translation>Non retrouvé de biais. Ajoutez des vues de la gauche et de la droite.</translation>
     </message>
 </context>
 <context>

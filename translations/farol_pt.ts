@@ -45,6 +45,49 @@
     </message>
 </context>
 <context>
+    <name>QShortcut</name>
+    <message>
+        <source>Ctrl</source>
+        <translation>Ctrl</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Shift</translation>
+    </message>
+    <message>
+        <source>Alt</source>
+        <translation>Alt</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Seta para cima</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>Seta para baixo</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Seta para a esquerda</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Seta para a direita</translation>
+    </message>
+    <message>
+        <source>Del</source>
+        <translation>Delete</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Espaço</translation>
+    </message>
+</context>
+<context>
     <name>farol::Options</name>
     <message>
         <source>%1 needs a number above 0, not “%2”</source>
@@ -146,7 +189,7 @@
     </message>
     <message>
         <source>not known</source>
-        <translation>desconhecido</translation>
+        <translation>não se sabe</translation>
     </message>
     <message>
         <source>Steps</source>
@@ -332,7 +375,7 @@
     </message>
     <message>
         <source>not known</source>
-        <translation>desconhecido</translation>
+        <translation>não se sabe</translation>
     </message>
     <message>
         <source>%1:</source>
@@ -383,7 +426,7 @@
     </message>
     <message>
         <source>not known</source>
-        <translation>desconhecido</translation>
+        <translation>não se sabe</translation>
     </message>
 </context>
 <context>
@@ -549,6 +592,18 @@
         <source>Choose a row to see it on the plan; press Enter to change it</source>
         <translation>Escolha uma linha para a ver na planta; prima Enter para a alterar</translation>
     </message>
+    <message>
+        <source>No row has what is looked for.</source>
+        <translation>Nenhuma linha tem o que se procura.</translation>
+    </message>
+    <message>
+        <source>The map has none of these.</source>
+        <translation>O mapa não tem nenhum destes.</translation>
+    </message>
+    <message>
+        <source>No map is open.</source>
+        <translation>Não há nenhum mapa aberto.</translation>
+    </message>
 </context>
 <context>
     <name>farol::ui::Figures</name>
@@ -686,8 +741,12 @@
         <translation>O que foi encontrado</translation>
     </message>
     <message>
-        <source>Features</source>
-        <translation>Elementos</translation>
+        <source>In English: %1</source>
+        <translation>Em inglês: %1</translation>
+    </message>
+    <message>
+        <source>How many</source>
+        <translation>Quantos</translation>
     </message>
 </context>
 <context>
@@ -918,15 +977,15 @@ Abra uma câmara, um vídeo ou uma pasta de imagens e depois prima Reproduzir.</
     </message>
     <message>
         <source>Ctrl+Z takes every step back. Nothing is written until you save with Ctrl+S.</source>
-        <translation>Ctrl+Z desfaz cada passo. Nada é escrito antes de guardar com Ctrl+S.</translation>
+        <translation>Ctrl+Z anula cada passo. Nada é escrito antes de guardar com Ctrl+S.</translation>
     </message>
     <message>
         <source>Here Farol is taught what it shall know again. Every change is saved by itself and can be taken back with Ctrl+Z; a landmark that is not finished is kept, also when the computer stops.</source>
-        <translation>Aqui ensina-se ao Farol o que deve reconhecer. Cada alteração guarda-se sozinha e desfaz-se com Ctrl+Z; um ponto por acabar é mantido, mesmo que o computador pare.</translation>
+        <translation>Aqui ensina-se ao Farol o que deve reconhecer. Cada alteração guarda-se sozinha e anula-se com Ctrl+Z; um ponto por acabar é mantido, mesmo que o computador pare.</translation>
     </message>
     <message>
         <source>Ctrl+T teaches a landmark in four steps: what it is, its views, a trial, its place on the map.</source>
-        <translation>Ctrl+T ensina um ponto de referência em quatro passos: o que é, as vistas, uma experiência, o lugar no mapa.</translation>
+        <translation>Ctrl+T ensina um ponto de referência em quatro passos: o que é, as vistas, um ensaio, o lugar no mapa.</translation>
     </message>
     <message>
         <source>Take a view from the front, from the left, from the right and from farther away. The coach says what is wrong with a picture and which one comes next. Drag the four corners onto the landmark; by keys, 1 to 4 choose a corner and the arrows move it.</source>
@@ -935,14 +994,6 @@ Abra uma câmara, um vídeo ou uma pasta de imagens e depois prima Reproduzir.</
     <message>
         <source>F7 checks the whole library: how well each landmark is found, how far away, how far aside, and which are taken for each other. Merge what is the same, and add views to what is lost.</source>
         <translation>F7 verifica a biblioteca toda: como cada ponto é encontrado, a que distância, de que lado, e quais se confundem. Junte o que é igual e acrescente vistas ao que se perde.</translation>
-    </message>
-    <message>
-        <source>The kiosk is for a blind user who is alone: “farol --kiosk” fills the screen and says everything. Arrows and Enter choose a destination, letters search, F1 says the keys, Escape goes back.</source>
-        <translation>O quiosque é para um utilizador cego sozinho: “farol --kiosk” enche o ecrã e diz tudo. As setas e Enter escolhem o destino, as letras procuram, F1 diz as teclas, Escape volta atrás.</translation>
-    </message>
-    <message>
-        <source>Space repeats, W says where you are, A what is around you, N what comes next, L the whole way. Plus and minus change the speed of the voice. Hold Escape to leave.</source>
-        <translation>O espaço repete, W diz onde está, A o que há à volta, N o que vem a seguir, L todo o caminho. Mais e menos mudam a velocidade da voz. Mantenha Escape premido para sair.</translation>
     </message>
     <message>
         <source>Here somebody is guided, and you watch: what the camera sees, the place on the map, what is said, and why.</source>
@@ -987,6 +1038,14 @@ Abra uma câmara, um vídeo ou uma pasta de imagens e depois prima Reproduzir.</
     <message>
         <source>Ctrl+Shift+U marks from where no landmark is seen, and Ctrl+Shift+N lists the routes that are missing. Ctrl+Shift+I lays the image of a floor plan under the floor: click two points of it and where they belong.</source>
         <translation>Ctrl+Shift+U marca de onde não se vê nenhum ponto de referência, e Ctrl+Shift+N lista os caminhos que faltam. Ctrl+Shift+I põe a imagem de uma planta sob o piso: clique em dois pontos dela e onde eles ficam.</translation>
+    </message>
+    <message>
+        <source>The kiosk is for a blind user who is alone: “farol --kiosk” fills the screen and says everything. Arrows and Enter choose a destination, F searches by name, digits by number; F1 says all keys, Escape goes back.</source>
+        <translation>O quiosque é para um utilizador cego sozinho: “farol --kiosk” enche o ecrã e diz tudo. As setas e Enter escolhem o destino, F procura pelo nome, os algarismos pelo número; F1 diz todas as teclas, Escape volta atrás.</translation>
+    </message>
+    <message>
+        <source>Space repeats, W says where you are, A what is around you, N what comes next, L the whole way. M is quiet, plus and minus change the speed of the voice, F2 the language, F4 goes over to two keys only. Hold Escape to leave.</source>
+        <translation>O espaço repete, W diz onde está, A o que há à volta, N o que vem a seguir, L todo o caminho. M cala, mais e menos mudam a velocidade da voz, F2 a língua, F4 passa para só duas teclas. Mantenha Escape premido para sair.</translation>
     </message>
 </context>
 <context>
@@ -1043,10 +1102,6 @@ Abra uma câmara, um vídeo ou uma pasta de imagens e depois prima Reproduzir.</
         <translation>como o formato o diz</translation>
     </message>
     <message>
-        <source>none</source>
-        <translation>nenhum</translation>
-    </message>
-    <message>
         <source>%1:</source>
         <translation>%1:</translation>
     </message>
@@ -1075,16 +1130,8 @@ Abra uma câmara, um vídeo ou uma pasta de imagens e depois prima Reproduzir.</
         <translation>Qual de vários nomes se usa, como en ou pt</translation>
     </message>
     <message>
-        <source>Level stands in</source>
-        <translation>O piso está em</translation>
-    </message>
-    <message>
         <source>Where the map leaves it open: filename, z, or the name of a column</source>
         <translation>Onde o mapa o deixa em aberto: filename, z, ou o nome de uma coluna</translation>
-    </message>
-    <message>
-        <source>Profile</source>
-        <translation>Perfil</translation>
     </message>
     <message>
         <source>A file with other names of columns and codes</source>
@@ -1093,6 +1140,18 @@ Abra uma câmara, um vídeo ou uma pasta de imagens e depois prima Reproduzir.</
     <message>
         <source>&amp;Import</source>
         <translation>&amp;Importar</translation>
+    </message>
+    <message>
+        <source>none is needed</source>
+        <translation>não é preciso</translation>
+    </message>
+    <message>
+        <source>Where the level is</source>
+        <translation>Onde está o piso</translation>
+    </message>
+    <message>
+        <source>File of other names</source>
+        <translation>Ficheiro de outros nomes</translation>
     </message>
 </context>
 <context>
@@ -1587,7 +1646,7 @@ Abra uma câmara, um vídeo ou uma pasta de imagens e depois prima Reproduzir.</
     </message>
     <message>
         <source>Arrows: places   Enter: go   F: search   F1: keys</source>
-        <translation>Setas: lugares   Enter: ir   F1: teclas</translation>
+        <translation>Setas: lugares   Enter: ir   F: procurar   F1: teclas</translation>
     </message>
     <message>
         <source>Enter: done   Esc: back</source>
@@ -1948,12 +2007,16 @@ Abra uma câmara, um vídeo ou uma pasta de imagens e depois prima Reproduzir.</
         <source>The library was changed meanwhile; try again.</source>
         <translation>Entretanto a biblioteca mudou; tente outra vez.</translation>
     </message>
+    <message>
+        <source>another program is writing this library; try again</source>
+        <translation>outro programa está a escrever nesta biblioteca; tente de novo</translation>
+    </message>
 </context>
 <context>
     <name>farol::ui::LibraryModel</name>
     <message>
         <source>not known</source>
-        <translation>desconhecido</translation>
+        <translation>não se sabe</translation>
     </message>
     <message>
         <source>?</source>
@@ -2077,7 +2140,7 @@ Abra uma câmara, um vídeo ou uma pasta de imagens e depois prima Reproduzir.</
     </message>
     <message>
         <source>The photographs it is learnt from; choose some of them to split or to delete them</source>
-        <translation>As fotografias de que é aprendido; escolha algumas para as separar ou apagar</translation>
+        <translation>As fotografias de que é aprendido; escolha algumas para as separar ou eliminar</translation>
     </message>
     <message>
         <source>&amp;Views:</source>
@@ -2130,6 +2193,21 @@ Abra uma câmara, um vídeo ou uma pasta de imagens e depois prima Reproduzir.</
     <message>
         <source>Rows: whose picture was shown. Columns: what was seen in it.</source>
         <translation>Linhas: de quem é a imagem mostrada. Colunas: o que nela se viu.</translation>
+    </message>
+    <message>
+        <source>All that have several views are found well.</source>
+        <translation>Todos os que têm várias vistas se encontram bem.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n landmark(s) cannot be tried: there is only one view. Add another.</source>
+        <translation>
+            <numerusform>%n ponto de referência não pode ser experimentado: só tem uma vista. Junte outra.</numerusform>
+            <numerusform>%n pontos de referência não podem ser experimentados: só têm uma vista. Junte outra.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The photographs of the chosen landmark are shown here.</source>
+        <translation>Aqui mostram-se as fotografias do ponto escolhido.</translation>
     </message>
 </context>
 <context>
@@ -2186,6 +2264,30 @@ Abra uma câmara, um vídeo ou uma pasta de imagens e depois prima Reproduzir.</
         <source>What the vote of the chosen place is made of, and what speaks for it</source>
         <translation>De que é feito o voto do lugar escolhido, e o que fala por ele</translation>
     </message>
+    <message>
+        <source>Nothing has been said yet.</source>
+        <translation>Ainda nada foi dito.</translation>
+    </message>
+    <message>
+        <source>Nothing has been worked out yet.</source>
+        <translation>Ainda nada foi calculado.</translation>
+    </message>
+    <message>
+        <source>As soon as there is a place, what speaks for it stands here.</source>
+        <translation>Assim que houver um lugar, aqui se vê o que fala por ele.</translation>
+    </message>
+    <message>
+        <source>Nothing has been recognised yet.</source>
+        <translation>Ainda nada foi reconhecido.</translation>
+    </message>
+    <message>
+        <source>Nothing is recognised in the picture.</source>
+        <translation>Nada se reconhece na imagem.</translation>
+    </message>
+    <message>
+        <source>No map is open.</source>
+        <translation>Não há nenhum mapa aberto.</translation>
+    </message>
 </context>
 <context>
     <name>farol::ui::LocaliserMenu</name>
@@ -2235,10 +2337,6 @@ Guia uma pessoa cega por um edifício com uma câmara comum: reconhece o que lhe
     <message>
         <source>Walking</source>
         <translation>A percorrer</translation>
-    </message>
-    <message>
-        <source>Held</source>
-        <translation>Em pausa</translation>
     </message>
     <message>
         <source>The walk has ended</source>
@@ -2436,6 +2534,10 @@ Guia uma pessoa cega por um edifício com uma câmara comum: reconhece o que lhe
         <source>&amp;Load it again</source>
         <translation>Carregar de no&amp;vo</translation>
     </message>
+    <message>
+        <source>Paused</source>
+        <translation>Em pausa</translation>
+    </message>
 </context>
 <context>
     <name>farol::ui::MapActions</name>
@@ -2517,7 +2619,7 @@ Guia uma pessoa cega por um edifício com uma câmara comum: reconhece o que lhe
     </message>
     <message>
         <source>Take back the last change</source>
-        <translation>Desfazer a última alteração</translation>
+        <translation>Anular a última alteração</translation>
     </message>
     <message>
         <source>&amp;Redo</source>
@@ -2986,6 +3088,14 @@ Guia uma pessoa cega por um edifício com uma câmara comum: reconhece o que lhe
     <message>
         <source>The user &amp;is here, in %1</source>
         <translation>O utilizador es&amp;tá aqui, em %1</translation>
+    </message>
+    <message>
+        <source>The assistant had said: %1.</source>
+        <translation>O assistente tinha dito: %1.</translation>
+    </message>
+    <message>
+        <source>said by the assistant</source>
+        <translation>dito pelo assistente</translation>
     </message>
 </context>
 <context>
@@ -4768,20 +4878,24 @@ Abra um com Ctrl+O.</translation>
         <translation>O achado por palavras, e o que fazer</translation>
     </message>
     <message>
-        <source>Ne&amp;xt feature</source>
-        <translation>Elemento se&amp;guinte</translation>
-    </message>
-    <message>
-        <source>Show the next feature of this finding (F4)</source>
-        <translation>Mostrar o elemento seguinte deste achado (F4)</translation>
-    </message>
-    <message>
         <source>Chec&amp;k again</source>
         <translation>Verificar outra ve&amp;z</translation>
     </message>
     <message>
         <source>Look for what is wrong with the map as it is now (F7)</source>
         <translation>Ver o que está errado no mapa como está agora (F7)</translation>
+    </message>
+    <message>
+        <source>Choose a finding to read what it means and what to do.</source>
+        <translation>Escolha um resultado para ler o que significa e o que fazer.</translation>
+    </message>
+    <message>
+        <source>Ne&amp;xt place</source>
+        <translation>Lugar se&amp;guinte</translation>
+    </message>
+    <message>
+        <source>Show the next place of this finding (F4)</source>
+        <translation>Mostrar o lugar seguinte deste resultado (F4)</translation>
     </message>
 </context>
 <context>
@@ -4872,7 +4986,7 @@ Abra um com Ctrl+O.</translation>
     </message>
     <message>
         <source>not known</source>
-        <translation>desconhecido</translation>
+        <translation>não se sabe</translation>
     </message>
     <message>
         <source>%1 (%2)</source>
@@ -5912,6 +6026,22 @@ Abra um com Ctrl+O.</translation>
         <source>Dis&amp;tances:</source>
         <translation>Dis&amp;tâncias:</translation>
     </message>
+    <message>
+        <source>normal</source>
+        <translation>normal</translation>
+    </message>
+    <message>
+        <source>+%1</source>
+        <translation>+%1</translation>
+    </message>
+    <message>
+        <source>−%1</source>
+        <translation>−%1</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
 </context>
 <context>
     <name>farol::ui::SourceDialog</name>
@@ -6061,7 +6191,7 @@ Abra um com Ctrl+O.</translation>
     </message>
     <message>
         <source>Trial</source>
-        <translation>Experiência</translation>
+        <translation>Ensaio</translation>
     </message>
     <message>
         <source>Map</source>
@@ -6557,7 +6687,7 @@ Ligue a câmara, ou escolha imagens ou uma gravação.</translation>
     </message>
     <message>
         <source>not known</source>
-        <translation>desconhecido</translation>
+        <translation>não se sabe</translation>
     </message>
 </context>
 <context>
@@ -6643,15 +6773,15 @@ Ligue a câmara, ou escolha imagens ou uma gravação.</translation>
     </message>
     <message>
         <source>&amp;Undo</source>
-        <translation>&amp;Desfazer</translation>
+        <translation>An&amp;ular</translation>
     </message>
     <message>
         <source>Undo</source>
-        <translation>Desfazer</translation>
+        <translation>Anular</translation>
     </message>
     <message>
         <source>Take back the last change</source>
-        <translation>Desfazer a última alteração</translation>
+        <translation>Anular a última alteração</translation>
     </message>
     <message>
         <source>&amp;Redo</source>
@@ -6727,11 +6857,11 @@ Ligue a câmara, ou escolha imagens ou uma gravação.</translation>
     </message>
     <message>
         <source>Delete the chosen vie&amp;ws</source>
-        <translation>Apagar as &amp;vistas escolhidas</translation>
+        <translation>Eliminar as &amp;vistas escolhidas</translation>
     </message>
     <message>
         <source>Delete views</source>
-        <translation>Apagar vistas</translation>
+        <translation>Eliminar vistas</translation>
     </message>
     <message>
         <source>Forget the chosen views of the landmark</source>
@@ -6743,7 +6873,7 @@ Ligue a câmara, ou escolha imagens ou uma gravação.</translation>
     </message>
     <message>
         <source>Delete</source>
-        <translation>Apagar</translation>
+        <translation>Eliminar</translation>
     </message>
     <message>
         <source>Forget the chosen landmark</source>
@@ -6799,10 +6929,6 @@ Ligue a câmara, ou escolha imagens ou uma gravação.</translation>
     <message>
         <source>Save el&amp;sewhere…</source>
         <translation>Guardar &amp;noutro sítio…</translation>
-    </message>
-    <message>
-        <source>Not saved: another program has changed %1 meanwhile.</source>
-        <translation>Por guardar: entretanto outro programa mudou %1.</translation>
     </message>
     <message>
         <source>Open a landmark library</source>
@@ -6881,7 +7007,7 @@ Ligue a câmara, ou escolha imagens ou uma gravação.</translation>
     </message>
     <message>
         <source>The views of this landmark go to “%1”, and it is deleted:</source>
-        <translation>As vistas deste ponto passam para “%1”, e ele é apagado:</translation>
+        <translation>As vistas deste ponto passam para “%1”, e ele é eliminado:</translation>
     </message>
     <message>
         <source>Split the landmark</source>
@@ -6896,11 +7022,27 @@ Ligue a câmara, ou escolha imagens ou uma gravação.</translation>
     </message>
     <message>
         <source>Delete views</source>
-        <translation>Apagar vistas</translation>
+        <translation>Eliminar vistas</translation>
     </message>
     <message>
         <source>Delete “%1”</source>
-        <translation>Apagar “%1”</translation>
+        <translation>Eliminar “%1”</translation>
+    </message>
+    <message>
+        <source>Not saved: another program has changed the same landmarks in %1. Save yours under another name; what the other program wrote stays.</source>
+        <translation>Não guardado: outro programa alterou os mesmos pontos de referência em %1. Guarde os seus com outro nome; o que o outro programa escreveu fica.</translation>
+    </message>
+    <message>
+        <source>Another program has changed %1 meanwhile: its changes and yours are both saved. Earlier steps can no longer be undone.</source>
+        <translation>Entretanto outro programa alterou %1: as alterações dele e as suas estão ambas guardadas. Os passos anteriores já não se podem anular.</translation>
+    </message>
+    <message>
+        <source>Another program has changed %1.</source>
+        <translation>Outro programa alterou %1.</translation>
+    </message>
+    <message>
+        <source>&amp;Load it again</source>
+        <translation>&amp;Carregar de novo</translation>
     </message>
 </context>
 <context>
@@ -6934,14 +7076,6 @@ Ligue a câmara, ou escolha imagens ou uma gravação.</translation>
         <translation>A seguir: bem de frente, a cerca de 2 metros.</translation>
     </message>
     <message>
-        <source>Next: from the left, so that you see it aslant.</source>
-        <translation>A seguir: da esquerda, vendo-o de lado.</translation>
-    </message>
-    <message>
-        <source>Next: from the right, so that you see it aslant.</source>
-        <translation>A seguir: da direita, vendo-o de lado.</translation>
-    </message>
-    <message>
         <source>Next: from farther away, about twice as far.</source>
         <translation>A seguir: de mais longe, cerca do dobro da distância.</translation>
     </message>
@@ -6954,10 +7088,6 @@ Ligue a câmara, ou escolha imagens ou uma gravação.</translation>
         <translation>Estas vistas chegam. Mais não fazem mal.</translation>
     </message>
     <message>
-        <source>There is one view only: nothing to look for it with. Add another.</source>
-        <translation>Há só uma vista: não há com que a procurar. Junte outra.</translation>
-    </message>
-    <message>
         <source>Found in %1 of its %2 views by the others.</source>
         <translation>Encontrado em %1 das suas %2 vistas pelas outras.</translation>
     </message>
@@ -6968,14 +7098,6 @@ Ligue a câmara, ou escolha imagens ou uma gravação.</translation>
     <message>
         <source>Found down to a size of %1 pixels in the picture; give its real size to learn how far that is.</source>
         <translation>Encontrado até ao tamanho de %1 píxeis na imagem; dê o tamanho real para saber a que distância é.</translation>
-    </message>
-    <message>
-        <source>Found up to %1 degrees aside.</source>
-        <translation>Encontrado até %1 graus de lado.</translation>
-    </message>
-    <message>
-        <source>Not found from aside. Add views from the left and the right.</source>
-        <translation>Não se encontra de lado. Junte vistas da esquerda e da direita.</translation>
     </message>
     <message>
         <source>Never found when shown smaller or turned. Choose something with more detail.</source>
@@ -7021,6 +7143,26 @@ Ligue a câmara, ou escolha imagens ou uma gravação.</translation>
         <source>No view is straight from the front: add one, to learn from how far it is found.</source>
         <translation>Nenhuma vista é bem de frente: junte uma, para saber de que distância se encontra.</translation>
     </message>
+    <message>
+        <source>Next: from the left, at an angle.</source>
+        <translation>A seguir: da esquerda, de lado.</translation>
+    </message>
+    <message>
+        <source>Next: from the right, at an angle.</source>
+        <translation>A seguir: da direita, de lado.</translation>
+    </message>
+    <message>
+        <source>There is only one view: add another, so that it can be tried.</source>
+        <translation>Só há uma vista: junte outra, para se poder experimentar.</translation>
+    </message>
+    <message>
+        <source>Found at angles of up to %1 degrees.</source>
+        <translation>Encontrado em ângulos até %1 graus.</translation>
+    </message>
+    <message>
+        <source>Not found at an angle. Add views from the left and the right.</source>
+        <translation>Não se encontra de lado. Junte vistas da esquerda e da direita.</translation>
+    </message>
 </context>
 <context>
     <name>farol::ui::UtteranceLog</name>
@@ -7049,7 +7191,7 @@ Ligue a câmara, ou escolha imagens ou uma gravação.</translation>
     </message>
     <message>
         <source>Because</source>
-        <translation>Porque</translation>
+        <translation>Motivo</translation>
     </message>
     <message>
         <source>Shown as text, not heard</source>

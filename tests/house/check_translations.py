@@ -12,12 +12,13 @@ import xml.etree.ElementTree as tree
 from pathlib import Path
 
 # The same in both languages: names, symbols and keys.
-SAME = {"Farol", "%1 – Farol", "Tab", "Page Up, Page Down", "OK", "%1", "%1 %", "%1 m", "%1x", "%1×", "%1: %2", "Total", "Local", "PDF", "PDF (%1)"}
+SAME = {"Farol", "%1 – Farol", "Tab", "Page Up, Page Down", "OK", "%1", "%1 %", "%1 m", "%1x", "%1×", "%1: %2", "Total", "Local", "PDF", "PDF (%1)", "Alt"}
 # The same in English and in this one.
 SAME_IN = {
-    "de": {"minus %1", "&Name:", "text", "Name", "Text", "Region", "Region %1", "Start", "Plan", "Kiosk"},
-    "es": {"&No", "Error", "General"},
-    "fr": {"Halls", "hall", "destination", "Destination", "Directions", "Distances", "Pages", "Plan", "&Pause", "passage"},
+    "de": {"minus %1", "&Name:", "text", "Name", "Text", "Region", "Region %1", "Start", "Plan", "Kiosk", "Esc", "normal"},
+    "es": {"&No", "Error", "General", "Ctrl", "Esc", "normal"},
+    "fr": {"Halls", "hall", "destination", "Destination", "Directions", "Distances", "Pages", "Plan", "&Pause", "passage", "Ctrl"},
+    "pt": {"Ctrl", "Shift", "Esc", "normal"},
 }
 # Spoken, from a key or on the way. The sentences that are put together are checked by ui/message_lint.
 SPOKEN = {"farol::ui::Phrasebook", "farol::ui::KioskMachine", "farol::ui::KioskWords", "farol::ui::KioskPlaces",

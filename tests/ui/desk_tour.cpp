@@ -34,6 +34,7 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
+#include <QSignalSpy>
 #include <QTabWidget>
 #include <QTableView>
 #include <QTest>
@@ -51,6 +52,11 @@ public:
 
 Result<std::unique_ptr<capture::FrameSource>> greySource(const std::string&, const capture::SourceOptions&) {
     return std::unique_ptr<capture::FrameSource>(std::make_unique<FakeSource>(3, 0.3));
+}
+
+Result<std::unique_ptr<capture::FrameSource>> lastingSource(const std::string&,
+                                                            const capture::SourceOptions&) {
+    return std::unique_ptr<capture::FrameSource>(std::make_unique<FakeSource>(1000000, 0.1));
 }
 
 std::unique_ptr<SpeechOutput> fakeVoice(const VoiceChoice&) {
@@ -233,6 +239,12 @@ void DeskTour::landmarksPage() {
     seeModal(QStringLiteral("split"));
     page.actions().merge->trigger();
     seeModal(QStringLiteral("merge"));
+    // Another program at the same library.
+    Q_EMIT page.document().changedOutside();
+    stop(*m_window, QStringLiteral("landmarks-changed-outside"));
+    Q_EMIT page.document().joined();
+    Q_EMIT page.document().overtaken();
+    stop(*m_window, QStringLiteral("landmarks-overtaken"));
 }
 
 void DeskTour::wizard() {
@@ -253,6 +265,8 @@ void DeskTour::wizard() {
     page.wizard().forward().click();
     await([&] { return page.settled(); }, "the trial does not end");
     stop(*m_window, QStringLiteral("teach-3"));
+    page.wizard().giveUp().click();
+    seeModal(QStringLiteral("question-give-up"));
     page.wizard().forward().click();
     await([&] { return page.wizard().step() == TeachPanel::End; }, "the landmark is not saved");
     stop(*m_window, QStringLiteral("teach-4"));
@@ -337,14 +351,53 @@ void DeskTour::kiosk() {
     start.source = QStringLiteral("grey");
     start.memoryFile = file("kiosk.json");
     QFile::remove(start.memoryFile);
-    Kiosk kiosk(*m_settings, start, greySource, fakeVoice, std::make_unique<NoChimes>());
+    Kiosk kiosk(*m_settings, start, lastingSource, fakeVoice, std::make_unique<NoChimes>());
     KioskPage page(kiosk);
     page.resize(1280, 800);
     page.show();
     kiosk.begin();
     await([&] { return kiosk.walk().building() != nullptr; }, "the kiosk's map does not open");
-    QTest::keyClick(&page, Qt::Key_Down);
-    stop(page, QStringLiteral("kiosk"));
+    // The words on the screen come by themselves after each key.
+    const auto press = [&](Qt::Key key, const char* name, const QString& letters = {}) {
+        if (!m_wrong.isEmpty()) return;
+        QSignalSpy spoken(&kiosk, &Kiosk::spoken);
+        if (letters.isEmpty())
+            QTest::keyClick(&page, key);
+        else
+            QTest::keyClicks(&page, letters);
+        if (!await([&] { return !spoken.isEmpty(); }, name)) return;
+        if (name[0] != '\0') stop(page, QLatin1String("kiosk-") + QLatin1String(name));
+    };
+    stop(page, QStringLiteral("kiosk-begin"));
+    press(Qt::Key_Down, "place");
+    press(Qt::Key_Right, "category");
+    press(Qt::Key_F1, "keys");
+    press(Qt::Key_F1, "number-pad");
+    press(Qt::Key_Escape, "");
+    press(Qt::Key_V, "setting");
+    press(Qt::Key_F, "search");
+    press(Qt::Key_unknown, "typing", QStringLiteral("lib"));
+    press(Qt::Key_Return, "found");
+    press(Qt::Key_Return, "preview");
+    await([&] { return kiosk.walk().snapshot() != nullptr; }, "the kiosk's camera gives nothing");
+    press(Qt::Key_L, "instructions");
+    press(Qt::Key_Return, "walking");
+    press(Qt::Key_W, "where-am-i");
+    press(Qt::Key_S, "look-around");
+    press(Qt::Key_Escape, "stop-question");
+    press(Qt::Key_Down, "");
+    press(Qt::Key_F4, "two-keys");
+    press(Qt::Key_F4, "");
+    guidance::Cue arrived;
+    arrived.kind = guidance::CueKind::Arrived;
+    arrived.regionName = "Library";
+    arrived.validUntil = 1e9;
+    QSignalSpy told(&kiosk, &Kiosk::spoken);
+    Q_EMIT kiosk.walk().cueCame(arrived);
+    await([&] { return !told.isEmpty(); }, "the arrival is not told");
+    stop(page, QStringLiteral("kiosk-arrived"));
+    press(Qt::Key_Return, "");
+    press(Qt::Key_Escape, "leave-question");
     page.close();
 }
 

@@ -139,7 +139,8 @@ void AccessTest::everyControlIsNamedAndReached() {
     const QString wrong = m_tour.go(QStringLiteral("en"), [&](QWidget& top, const QString& name) {
         if (QTest::currentTestFailed()) return;
         ++views;
-        if (name == QLatin1String("kiosk")) return; // every key speaks there, Tab too: see its own test
+        if (name.startsWith(QLatin1String("kiosk")))
+            return; // every key speaks there, Tab too: see its own test
         look(top, qPrintable(name));
         if (!QTest::currentTestFailed()) walkByTab(top, qPrintable(name));
     });

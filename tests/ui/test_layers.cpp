@@ -11,9 +11,11 @@
 #include "ui/curation/map_actions.h"
 #include "ui/curation/missing_dialog.h"
 #include "ui/curation/plan_panel.h"
+#include "ui/curation/plan_print.h"
 #include "ui/curation/route_panel.h"
 #include "ui/main_window/main_window.h"
 #include "ui/map/coverage.h"
+#include "ui/map/floor_picture.h"
 #include "ui/parts/banner.h"
 
 #include <QAction>
@@ -21,6 +23,7 @@
 #include <QDropEvent>
 #include <QMenu>
 #include <QMimeData>
+#include <QPainter>
 #include <QPushButton>
 #include <QSlider>
 #include <QTableWidget>
@@ -68,6 +71,7 @@ private Q_SLOTS:
     void filesDroppedOnTheWalk();
     void filesDroppedOnTheMap();
     void aRecentMapIsOpenedAgain();
+    void whatIsShownIsPrinted();
 
 private:
     void make();
@@ -425,6 +429,63 @@ void LayersTest::aRecentMapIsOpenedAgain() {
     QCOMPARE(recent->actions().first()->text(), file("house.gpkg"));
     recent->actions().first()->trigger();
     QTRY_COMPARE_WITH_TIMEOUT(m_window->walk().mapName(), file("house.gpkg"), kPatience);
+}
+
+/// The image of the floor, what is seen from where, the marks, and what their colours mean.
+void LayersTest::whatIsShownIsPrinted() {
+    const MapScene scene(test::handMadeBuilding());
+    const LevelScene& level = scene.levels().front();
+    const auto page = [&](const MapOverlay& overlay) {
+        QImage image(800, 600, QImage::Format_RGB32);
+        image.fill(Qt::white);
+        QPainter painter(&image);
+        paintPlanPage(painter, scene, level, overlay, image.size());
+        painter.end();
+        return image;
+    };
+    const auto differ = [](const QImage& a, const QImage& b, const QRect& where) {
+        int count = 0;
+        for (int y = where.top(); y <= where.bottom(); ++y)
+            for (int x = where.left(); x <= where.right(); ++x)
+                count += a.pixel(x, y) != b.pixel(x, y) ? 1 : 0;
+        return count;
+    };
+    const QRect map(0, 40, 800, 500);
+    const QRect legend(0, 575, 800, 25);
+    page({}); // the letters are drawn from a cache from the second time on, a shade otherwise
+    const QImage plain = page({});
+    QCOMPARE(differ(plain, page({}), plain.rect()), 0);
+
+    MapOverlay withPicture;
+    auto picture = std::make_shared<FloorPicture>();
+    picture->image = QImage(40, 20, QImage::Format_RGB32);
+    picture->image.fill(QColor(120, 160, 90));
+    picture->toMap = placedIn(level.bounds, picture->image.size());
+    picture->opacity = 1.0;
+    picture->level = level.ordinal;
+    withPicture.pictures = {picture};
+    QVERIFY(differ(plain, page(withPicture), map) > 20000);
+    picture->level = 7.0; // of another floor
+    QCOMPARE(differ(plain, page(withPicture), map), 0);
+
+    MapOverlay withCoverage;
+    withCoverage.coverage =
+        std::make_shared<const CoverageLayer>(drawCoverage(findCoverage(*test::handMadeBuilding())));
+    QVERIFY(differ(plain, page(withCoverage), map) > 20000);
+    QVERIFY(differ(plain, page(withCoverage), legend) > 200);
+
+    MapOverlay withMarks;
+    withMarks.marks = std::make_shared<const std::vector<RegionMark>>(scene.building().regions().size(),
+                                                                      RegionMark::LooksAlike);
+    QVERIFY(differ(plain, page(withMarks), map) > 5000);
+    QVERIFY(differ(plain, page(withMarks), legend) > 200);
+
+    picture->level = level.ordinal;
+    const QString paper = file("image.pdf");
+    QVERIFY(printPlan(test::handMadeBuilding(), withPicture, paper));
+    QFile pdf(paper);
+    QVERIFY(pdf.open(QIODevice::ReadOnly));
+    QVERIFY(pdf.readAll().contains("/Subtype /Image"));
 }
 
 } // namespace farol::ui

@@ -8,6 +8,7 @@
 #include "ui/curation/plan_panel.h"
 #include "ui/live/frame_panel.h"
 #include "ui/live/map_panel.h"
+#include "ui/main_window/keys_dialog.h"
 #include "ui/main_window/main_window.h"
 #include "ui/main_window/settings_dialog.h"
 #include "ui/main_window/source_dialog.h"
@@ -32,6 +33,7 @@
 #include <QSplitterHandle>
 #include <QTabBar>
 #include <QTabWidget>
+#include <QTableWidget>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -55,6 +57,8 @@ private Q_SLOTS:
     void playWithoutAnythingSaysWhatIsMissing();
     void everyControlHasAName();
     void everyCommandHasWordsInBothLanguages();
+    void keysAreNamedInTheUsersLanguage_data();
+    void keysAreNamedInTheUsersLanguage();
     void tabGoesRound();
     void dialogsHaveNames();
     void theVoiceIsTurnedOff();
@@ -291,6 +295,43 @@ void MainWindowTest::everyCommandHasWordsInBothLanguages() {
     for (const QString& text : portuguese) QVERIFY(!text.isEmpty());
     m_settings->setLanguage(QStringLiteral("en"));
     QTRY_COMPARE(texts(), english);
+}
+
+/// As they stand on the keyboard, also where Qt's own translations are not installed.
+void MainWindowTest::keysAreNamedInTheUsersLanguage_data() {
+    QTest::addColumn<QString>("language");
+    QTest::addColumn<QString>("shifted");
+    QTest::addColumn<QString>("up");
+    QTest::addColumn<QString>("erase");
+    const auto row = [](const char* language, const char* shifted, const char* up, const char* erase) {
+        QTest::newRow(language) << QString::fromLatin1(language) << QString::fromUtf8(shifted)
+                                << QString::fromUtf8(up) << QString::fromUtf8(erase);
+    };
+    row("en", "Ctrl+Shift+P", "Ctrl+Up", "Del");
+    row("pt", "Ctrl+Shift+P", "Ctrl+Seta para cima", "Delete");
+    row("es", "Ctrl+Mayús+P", "Ctrl+Flecha arriba", "Supr");
+    row("fr", "Ctrl+Maj+P", "Ctrl+Haut", "Suppr");
+    row("de", "Strg+Umschalt+P", "Strg+Pfeil hoch", "Entf");
+}
+
+void MainWindowTest::keysAreNamedInTheUsersLanguage() {
+    QFETCH(QString, language);
+    QFETCH(QString, shifted);
+    QFETCH(QString, up);
+    QFETCH(QString, erase);
+    m_settings->setLanguage(language);
+    QTRY_COMPARE(installedLanguage(), language);
+    const auto told = [](const QKeySequence& keys) { return keys.toString(QKeySequence::NativeText); };
+    QCOMPARE(told(Qt::CTRL | Qt::SHIFT | Qt::Key_P), shifted);
+    QCOMPARE(told(Qt::CTRL | Qt::Key_Up), up);
+    QCOMPARE(told(Qt::Key_Delete), erase);
+    const KeysDialog dialog(m_window->actions().withKeys());
+    const auto* table = dialog.findChild<QTableWidget*>();
+    QStringList keys;
+    for (int i = 0; i < table->rowCount(); ++i) keys << table->item(i, 0)->text();
+    QVERIFY2(keys.contains(shifted), qPrintable(keys.join(QLatin1Char(' '))));
+    if (language == QLatin1String("de"))
+        QVERIFY2(keys.filter(QStringLiteral("Ctrl")).isEmpty(), qPrintable(keys.join(QLatin1Char(' '))));
 }
 
 void MainWindowTest::tabGoesRound() {

@@ -24,6 +24,8 @@ private Q_SLOTS:
     void pointsComeBack();
     void thePointUnderThePointerStays();
     void theWholeFloorFits();
+    void aStrayThingDoesNotShrinkTheFloor();
+    void nothingLiesUnderTheLegend();
     void brokenNumbersDoNotBreakTheView();
     void theSmallerThingIsMeant();
     void nothingLiesOutside();
@@ -83,6 +85,36 @@ void MapTest::theWholeFloorFits() {
         const QPointF at = view.screenFromMap(corner);
         QVERIFY(QRectF(19.9, 19.9, 600.2, 440.2).contains(at));
     }
+}
+
+/// One landmark with a wrong figure.
+void MapTest::aStrayThingDoesNotShrinkTheFloor() {
+    building::BuildingData data = test::handMadeBuilding()->data();
+    const Box2 before = MapScene(test::handMadeBuilding()).levels().front().bounds;
+    data.landmarks[0].position = {300.0, -100.0};
+    const auto stray = std::make_shared<const building::Building>(std::move(data));
+    const MapScene scene(stray);
+    QCOMPARE(scene.levels().front().bounds.width(), before.width());
+    QVERIFY(scene.levels().front().bounds.height() <= before.height());
+    QCOMPARE(scene.levels().front().landmarks.size(), std::size_t{2}); // it is there all the same
+    MapView map;
+    map.resize(600, 400);
+    map.setBuilding(stray);
+    map.select(MapHit{MapHit::What::Landmark, 0}, true); // and can be looked at, with the floor
+    for (const Point2 at : {Point2{300.0, -100.0}, before.low, before.high})
+        QVERIFY(QRectF(map.rect()).contains(map.viewTransform().screenFromMap(at)));
+}
+
+/// What stands at the lower edge covers nothing of a floor that is shown whole.
+void MapTest::nothingLiesUnderTheLegend() {
+    MapView map;
+    map.resize(600, 400);
+    map.setBuilding(test::handMadeBuilding());
+    const Box2 floor = map.scene()->levels().front().bounds;
+    QVERIFY(map.viewTransform().screenFromMap(floor.low).y() < map.height() - 50.0);
+    map.resize(200, 600);
+    map.fit();
+    QVERIFY(map.viewTransform().screenFromMap(floor.low).y() < map.height() - 50.0);
 }
 
 void MapTest::brokenNumbersDoNotBreakTheView() {

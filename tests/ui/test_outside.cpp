@@ -221,7 +221,8 @@ void OutsideTest::aFileUnderTheSameNameIsOffered() {
     pressBanner(m_page->banners(), QStringLiteral("&Load it again"));
     QCOMPARE(roomName(), std::string("Workshop"));
     QCOMPARE(map().accesses().size(), 5U);
-    sql(m_file, "UPDATE regions SET name = 'Cellar' WHERE region_id = 'r1'"); // the new file is watched as well
+    sql(m_file,
+        "UPDATE regions SET name = 'Cellar' WHERE region_id = 'r1'"); // the new file is watched as well
     QTRY_VERIFY_WITH_TIMEOUT(m_page->banners().shows(kBanner), kPatience);
 }
 
@@ -340,7 +341,8 @@ void OutsideTest::aMapOfOtherToolsOpens() {
     QSignalSpy saved(&m_page->document(), &MapDocument::saved);
     key(Qt::Key_S);
     QTRY_COMPARE_WITH_TIMEOUT(saved.count(), 1, kPatience);
-    QVERIFY(sql(other, "SELECT inspected FROM regions WHERE region_id = 'r1'").contains(QLatin1String("= yes")));
+    QVERIFY(
+        sql(other, "SELECT inspected FROM regions WHERE region_id = 'r1'").contains(QLatin1String("= yes")));
     QCOMPARE(counted(other, "landmarks"), 1);
 }
 

@@ -21,7 +21,9 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
+#include <QSettings>
 #include <QSignalSpy>
+#include <QStandardPaths>
 #include <QTableView>
 #include <QTableWidget>
 #include <QTemporaryDir>
@@ -53,6 +55,8 @@ private Q_SLOTS:
     void cleanup();
     void theVoteIsExplained();
     void aWrongPlaceIsCorrected();
+    void aWrongPlaceIsCorrectedAtOnce();
+    void theAssistantsWordAndThePictures();
     void aTypedSentenceIsSaid();
     void theTimelineLooksBack();
     void aLongWalkTakesNoMoreMemory();
@@ -61,6 +65,7 @@ private Q_SLOTS:
     void figuresWithoutMaterialSayWhatToDo();
     void aRecordedWalkIsWorkedOutAnew();
     void aFolderThatIsNoRecordingIsTold();
+    void testsLeaveTheirUserAlone();
 
 private:
     void key(int key, Qt::KeyboardModifiers modifiers = Qt::ControlModifier);
@@ -163,6 +168,68 @@ void SuperviseTest::aWrongPlaceIsCorrected() {
     QVERIFY(!m_window->walk().start()); // the next walk begins as before
     key(Qt::Key_W);
     QTRY_VERIFY_WITH_TIMEOUT(!m_window->walk().snapshot()->step.fix.region, kPatience);
+}
+
+/// However seldom pictures come: here none comes any more.
+void SuperviseTest::aWrongPlaceIsCorrectedAtOnce() {
+    begin(400);
+    LivePage& page = m_window->page();
+    key(Qt::Key_F5, {});
+    QTRY_VERIFY_WITH_TIMEOUT(m_window->walk().snapshot() && page.framesShown() > 0, kPatience);
+    key(Qt::Key_F5, {});
+    QTRY_COMPARE_WITH_TIMEOUT(m_window->walk().state(), session::RunState::Paused, kPatience);
+    m_window->walk().correct(RegionId("lib")); // on the other floor
+    QCOMPARE(page.mapPanel().whereText(),
+             QStringLiteral("You are in Library, level 1: said by the assistant."));
+    QCOMPARE(page.mapPanel().view().overlay().fix->region, std::optional(RegionId("lib")));
+    QCOMPARE(page.mapPanel().view().level(), 1.0);
+    m_window->walk().correct(std::nullopt);
+    QCOMPARE(page.mapPanel().whereText(), QStringLiteral("Where you are is not known yet."));
+}
+
+void SuperviseTest::theAssistantsWordAndThePictures() {
+    const auto fix = [](const char* region, double time, double evidence) {
+        localisation::Fix made;
+        made.region = RegionId(region);
+        made.time = time;
+        made.evidenceTime = evidence;
+        return made;
+    };
+    const RegionId here("r1");
+    ToldPlace told;
+    told.heard(fix("c", 1.0, 1.0));
+    QVERIFY(!told.holds());
+    told.tell(here);
+    told.heard(fix("c", 2.0, 2.0)); // was on its way
+    QVERIFY(told.holds());
+    QCOMPARE(told.shown(fix("c", 2.0, 2.0), *test::handMadeBuilding()).region, std::optional(here));
+    told.heard(fix("r1", 2.5, 2.0));
+    QVERIFY(told.holds());
+    told.heard(fix("c", 3.0, 3.0)); // it was believed, and what is seen speaks against it
+    QVERIFY(!told.holds());
+    QVERIFY(told.overruled());
+    told.heard(fix("c", 20.0, 20.0)); // old news
+    QVERIFY(!told.overruled());
+
+    told.tell(here);
+    for (int i = 0; i < 4; ++i) told.heard(fix("c", 30.0 + i, 30.0)); // never believed
+    QVERIFY(told.overruled());
+
+    told.tell(here);
+    told.heard(fix("r1", 40.0, 40.0));
+    told.heard(fix("r1", 60.0, 40.0)); // nothing new was seen
+    QVERIFY(told.holds());
+    told.heard(fix("c", 61.0, 61.0)); // the user has walked on
+    QVERIFY(!told.holds() && !told.overruled());
+
+    told.tell(here);
+    told.heard(fix("r1", 70.0, 70.0));
+    told.heard(fix("r1", 71.0, 71.0)); // borne out: now the walk says how sure it is
+    QVERIFY(!told.holds() && !told.overruled());
+
+    told.tell(std::nullopt);
+    for (int i = 0; i < 4; ++i) told.heard(fix("c", 80.0 + i, 80.0));
+    QVERIFY(!told.holds() && !told.overruled());
 }
 
 void SuperviseTest::aTypedSentenceIsSaid() {
@@ -339,6 +406,24 @@ void SuperviseTest::aFolderThatIsNoRecordingIsTold() {
     QTest::keyClick(&dialog.startButton(), Qt::Key_Space);
     QTRY_VERIFY_WITH_TIMEOUT(dialog.summary().contains(QLatin1String("recording.json")), kPatience);
     QCOMPARE(dialog.table().rowCount(), 0);
+}
+
+/// Qt's own dialogs keep where they were.
+void SuperviseTest::testsLeaveTheirUserAlone() {
+    {
+        QFileDialog ask;
+        ask.setOption(QFileDialog::DontUseNativeDialog);
+        ask.setDirectory(m_folder.path());
+        ask.show();
+        ask.selectFile(m_map);
+        static_cast<QDialog&>(ask).accept();
+    }
+    const QSettings kept(QSettings::UserScope, QStringLiteral("QtProject"));
+    QVERIFY2(kept.fileName().startsWith(QDir::tempPath() + QLatin1Char('/')), qPrintable(kept.fileName()));
+    QVERIFY(kept.contains(QStringLiteral("FileDialog/lastVisited")));
+    for (const auto where : {QStandardPaths::GenericConfigLocation, QStandardPaths::GenericDataLocation,
+                             QStandardPaths::GenericCacheLocation})
+        QVERIFY(QStandardPaths::writableLocation(where).startsWith(QDir::tempPath() + QLatin1Char('/')));
 }
 
 } // namespace farol::ui

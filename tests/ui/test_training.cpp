@@ -24,8 +24,10 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMimeData>
+#include <QProcess>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QSysInfo>
 #include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
@@ -54,6 +56,10 @@ private Q_SLOTS:
     void mergeSplitAndDeleteAreTakenBack();
     void theReportNamesWhatIsConfused();
     void aFileChangedByAnotherProgramIsNotOverwritten();
+    void twoProgramsAtOneLibrary();
+    void twoProgramsAtOneLandmark();
+    void whatAnotherProgramMakesIsLoadedAgain();
+    void unfinishedWorkOfTwoPrograms();
     void whatCannotBeWrittenIsTold();
     void aMissingLibraryIsTold();
     void adviceHasWords();
@@ -183,7 +189,7 @@ void TrainingTest::aLandmarkIsTaughtByKeys() {
     QTRY_COMPARE_WITH_TIMEOUT(wizard.reel().index(), 1, kPatience); // the next picture comes by itself
     QTRY_VERIFY_WITH_TIMEOUT(m_page->settled() && !wizard.reel().busy(), kPatience);
     QVERIFY(wizard.views().coachText().contains(QLatin1String("from the left")));
-    QVERIFY(wizard.views().healthText().contains(QLatin1String("one view only")));
+    QVERIFY(wizard.views().healthText().contains(QLatin1String("only one view")));
 
     // The second one is found again by the first.
     for (QPushButton* button : wizard.views().findChildren<QPushButton*>())
@@ -363,6 +369,12 @@ void TrainingTest::theReportNamesWhatIsConfused() {
     const LibraryModel& model = m_page->panel().model();
     QCOMPARE(model.index(0, LibraryModel::Health).data().toString(), QStringLiteral("good"));
 
+    // Of its one view nobody knows whether it is found.
+    QVERIFY(
+        m_page->panel().reportText().contains(QLatin1String("All that have several views are found well")));
+    QVERIFY(m_page->panel().reportText().contains(QLatin1String("1 landmark cannot be tried")));
+    QVERIFY(matrix.index(1, 1).data(Qt::BackgroundRole) != matrix.index(0, 0).data(Qt::BackgroundRole));
+
     std::vector<recognition::TemplateCheck> checks = matrix.checks();
     checks[1].confusedWith["poster-1"] = 3;
     ConfusionModel confused;
@@ -390,6 +402,109 @@ void TrainingTest::aFileChangedByAnotherProgramIsNotOverwritten() {
     const auto stored = recognition::loadLibrary(toUtf8(m_library));
     QVERIFY(stored.ok());
     QCOMPARE(stored->templates.front().id.value, std::string("poster-5"));
+}
+
+/// Two programs, each with its own picture of one file: what both make of it is in it in the end.
+void TrainingTest::twoProgramsAtOneLibrary() {
+    LibraryDocument one, other;
+    for (LibraryDocument* document : {&one, &other}) {
+        document->open(m_library);
+        QTRY_VERIFY_WITH_TIMEOUT(document->library() && document->settled(), kPatience);
+    }
+    QSignalSpy joined(&other, &LibraryDocument::joined);
+    QSignalSpy overtaken(&other, &LibraryDocument::overtaken);
+    const auto named = [](const char* name) {
+        return [name](const recognition::LandmarkLibrary& library) {
+            recognition::Template changed = library.templates[0];
+            changed.name = name;
+            return recognition::change(library, 0, changed);
+        };
+    };
+    const auto taught = [](const recognition::LandmarkLibrary& library) {
+        recognition::LandmarkLibrary fresh;
+        recognition::test::trainPoster(fresh, 9);
+        return recognition::insertion(library, fresh.templates[0]);
+    };
+    // Both at once, neither having seen what the other does.
+    QVERIFY(one.change(QStringLiteral("name"), named("At the door")));
+    QVERIFY(other.change(QStringLiteral("teach"), taught));
+    const auto rest = [&] { return one.settled() && other.settled() && !one.unsaved() && !other.unsaved(); };
+    QTRY_VERIFY_WITH_TIMEOUT(rest(), kPatience);
+    const auto stored = recognition::loadLibrary(toUtf8(m_library));
+    QVERIFY(stored.ok());
+    QCOMPARE(stored->templates.size(), std::size_t{3});
+    QCOMPARE(stored->templates[0].name, std::string("At the door"));
+    QVERIFY(stored->find(TemplateId("poster-9")) != nullptr);
+    QCOMPARE(overtaken.count(), 0);
+    QVERIFY(!QFile::exists(m_library + QStringLiteral(".lock")));
+}
+
+/// Both change the same landmark: what was written first stays, the other's is kept until it is saved
+/// elsewhere.
+void TrainingTest::twoProgramsAtOneLandmark() {
+    openLibrary();
+    recognition::LandmarkLibrary theirs = *m_page->document().library();
+    theirs.templates[0].name = "Theirs";
+    QVERIFY(recognition::saveLibrary(theirs, toUtf8(m_library)).ok());
+    QTRY_VERIFY_WITH_TIMEOUT(
+        m_page->banners().text(QStringLiteral("outside")).contains(QLatin1String("has changed")), kPatience);
+    QVERIFY(
+        m_page->document().change(QStringLiteral("mine"), [](const recognition::LandmarkLibrary& library) {
+            recognition::Template changed = library.templates[0];
+            changed.name = "Mine";
+            return recognition::change(library, 0, changed);
+        }));
+    QTRY_VERIFY_WITH_TIMEOUT(m_page->banners().shows(QStringLiteral("unsaved")), kPatience);
+    QVERIFY(m_page->document().unsaved());
+    QCOMPARE(m_page->document().library()->templates[0].name, std::string("Mine"));
+    QCOMPARE(recognition::loadLibrary(toUtf8(m_library))->templates[0].name, std::string("Theirs"));
+    const QString elsewhere = m_folder.filePath(QStringLiteral("mine.gpkg"));
+    m_page->document().saveAs(elsewhere);
+    QTRY_VERIFY_WITH_TIMEOUT(!m_page->document().unsaved() && m_page->document().settled(), kPatience);
+    QCOMPARE(recognition::loadLibrary(toUtf8(elsewhere))->templates[0].name, std::string("Mine"));
+    QCOMPARE(recognition::loadLibrary(toUtf8(m_library))->templates[0].name, std::string("Theirs"));
+}
+
+/// What another program makes is told, and shown on demand.
+void TrainingTest::whatAnotherProgramMakesIsLoadedAgain() {
+    openLibrary();
+    recognition::LandmarkLibrary theirs = *m_page->document().library();
+    recognition::test::trainPoster(theirs, 9);
+    QVERIFY(recognition::saveLibrary(theirs, toUtf8(m_library)).ok());
+    QTRY_VERIFY_WITH_TIMEOUT(m_page->banners().shows(QStringLiteral("outside")), kPatience);
+    for (QPushButton* button : m_page->banners().findChildren<QPushButton*>())
+        if (button->text() == QLatin1String("&Load it again")) press(*button);
+    QTRY_COMPARE_WITH_TIMEOUT(m_page->document().library()->templates.size(), std::size_t{3}, kPatience);
+    QVERIFY(!m_page->banners().shows(QStringLiteral("outside")));
+}
+
+/// Each program keeps what it is teaching for itself; what a crash left anywhere is found again.
+void TrainingTest::unfinishedWorkOfTwoPrograms() {
+    const QString folder = m_folder.filePath(QStringLiteral("teaching"));
+    m_page.reset();
+    QProcess other;
+    other.start(QStringLiteral("sleep"), {QStringLiteral("600")});
+    QVERIFY(other.waitForStarted(kPatience));
+    QFile lock(folder + QStringLiteral(".lock"));
+    QVERIFY(lock.open(QIODevice::WriteOnly)); // as QLockFile of that program writes it
+    for (const QByteArray& line :
+         {QByteArray::number(other.processId()), QByteArray("sleep"), QSysInfo::machineHostName().toUtf8(),
+          QSysInfo::machineUniqueId(), QSysInfo::bootUniqueId()})
+        lock.write(line + '\n');
+    lock.close();
+    TeachDraft draft;
+    draft.name = QStringLiteral("Mine");
+    {
+        const DraftStore mine(folder);
+        QVERIFY(mine.save(draft).ok());
+        QVERIFY(!QFile::exists(folder + QStringLiteral("/draft.json")));
+        QCOMPARE(mine.load()->name, draft.name);
+    }
+    other.kill();
+    QVERIFY(other.waitForFinished(kPatience));
+    QVERIFY(DraftStore(folder).load().has_value()); // though the first folder is free again
+    DraftStore(folder).clear();
+    QVERIFY(!DraftStore(folder).load());
 }
 
 void TrainingTest::whatCannotBeWrittenIsTold() {

@@ -84,6 +84,12 @@ void FeaturePanel::showColumns() {
     }
 }
 
+void FeaturePanel::fitColumns() {
+    m_table->resizeColumnsToContents();
+    m_table->horizontalHeader()->setStretchLastSection(false); // it has forgotten to
+    m_table->horizontalHeader()->setStretchLastSection(true);
+}
+
 std::optional<MapHit> FeaturePanel::hitOf(const QModelIndex& index) const {
     const QModelIndex source = m_filter.mapToSource(index);
     if (!source.isValid()) return std::nullopt;
@@ -99,16 +105,17 @@ void FeaturePanel::showSort(FeatureModel::Sort sort) {
     m_model.setSort(sort);
     m_table->sortByColumn(-1, Qt::AscendingOrder);
     showColumns();
-    m_table->resizeColumnsToContents();
+    fitColumns();
     count();
 }
 
 void FeaturePanel::setBuilding(const std::shared_ptr<const building::Building>& building) {
     const QScopedValueRollback quiet(m_quiet, true);
     const bool fresh = m_model.rowCount() == 0;
+    m_building = building != nullptr;
     m_model.setBuilding(building);
     showColumns();
-    if (fresh) m_table->resizeColumnsToContents(); // an edit leaves the widths as the user has them
+    if (fresh) fitColumns(); // an edit leaves the widths as the user has them
     count();
 }
 
@@ -146,6 +153,9 @@ void FeaturePanel::focusSearch() {
 }
 
 void FeaturePanel::count() {
+    setEmptyHint(m_table, m_model.rowCount() > 0 ? tr("No row has what is looked for.")
+                          : m_building           ? tr("The map has none of these.")
+                                                 : tr("No map is open."));
     m_count->setText(m_filter.rowCount() == m_model.rowCount()
                          ? tr("%n row(s)", nullptr, m_model.rowCount())
                          : tr("%1 of %n row(s)", nullptr, m_model.rowCount()).arg(m_filter.rowCount()));

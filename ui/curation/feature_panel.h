@@ -45,6 +45,7 @@ private:
     void showSort(FeatureModel::Sort sort);
     void count();
     void showColumns();
+    void fitColumns();
     void retranslate();
     std::optional<MapHit> hitOf(const QModelIndex& index) const;
 
@@ -56,6 +57,7 @@ private:
     QTableView* m_table;
     QLabel* m_count;
     double m_level = 0.0;
+    bool m_building = false; ///< is open
     bool m_quiet = false;
 };
 

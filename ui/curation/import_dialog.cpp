@@ -63,7 +63,7 @@ ImportDialog::ImportDialog(const QString& folder, QWidget* parent)
         m_format->addItem(QLatin1String(name), static_cast<int>(format));
     m_language->setText(installedLanguage());
     m_levels->setPlaceholderText(tr("as the format has it"));
-    m_profile->setPlaceholderText(tr("none"));
+    m_profile->setPlaceholderText(tr("none is needed"));
     auto* form = new QFormLayout;
     const auto row = [&](const QString& name, QWidget* field, const QString& tip) {
         auto* label = new QLabel(tr("%1:").arg(name), this);
@@ -77,11 +77,12 @@ ImportDialog::ImportDialog(const QString& folder, QWidget* parent)
     form->addRow(
         row(tr("Language of names"), m_language, tr("Which of several names is taken, such as en or pt")),
         m_language);
-    form->addRow(row(tr("Level stands in"), m_levels,
+    form->addRow(row(tr("Where the level is"), m_levels,
                      tr("Where the map leaves it open: filename, z, or the name of a column")),
                  m_levels);
-    form->addRow(row(tr("Profile"), m_profile, tr("A file with other names of columns and codes")),
-                 m_profile);
+    form->addRow(
+        row(tr("File of other names"), m_profile, tr("A file with other names of columns and codes")),
+        m_profile);
     m_buttons->button(QDialogButtonBox::Ok)->setText(tr("&Import"));
     auto* layout = new QVBoxLayout(this);
     layout->addWidget(intro);

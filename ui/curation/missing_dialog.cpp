@@ -33,7 +33,7 @@ MissingDialog::MissingDialog(std::shared_ptr<const building::Building> building,
     build();
     m_background.run([map = m_building, options] { return routing::findMissingRoutes(map, options); },
                      [this](routing::MissingRoutes found) { show(std::move(found)); });
-    resize(820, 480);
+    resize(900, 480);
 }
 
 void MissingDialog::build() {
@@ -52,9 +52,8 @@ void MissingDialog::build() {
     m_table->verticalHeader()->hide();
     m_table->verticalHeader()->setSectionResizeMode(
         QHeaderView::ResizeToContents); // long ones take more lines
-    for (const Column column : {From, To}) m_table->setColumnWidth(column, 170);
-    for (const Column column : {From, To, Why})
-        m_table->horizontalHeader()->setSectionResizeMode(column, QHeaderView::Stretch);
+    for (const Column column : {From, To}) m_table->setColumnWidth(column, 190);
+    m_table->horizontalHeader()->setSectionResizeMode(Why, QHeaderView::Stretch);
     m_table->horizontalHeader()->setSectionResizeMode(Missing, QHeaderView::ResizeToContents);
     m_table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     m_table->horizontalHeader()->setHighlightSections(false);

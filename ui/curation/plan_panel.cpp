@@ -62,29 +62,36 @@ QString PlanLegend::markWords(RegionMark mark) {
     return {};
 }
 
-std::vector<PlanLegend::Entry> PlanLegend::entries() const {
-    const MapColours colours = MapColours::of(isDark(palette()));
+std::vector<PlanLegend::Entry> PlanLegend::entries(const std::vector<building::RegionKind>& kinds,
+                                                   const std::vector<RegionMark>& marks, bool coverage,
+                                                   bool dark) {
+    const MapColours colours = MapColours::of(dark);
     std::vector<Entry> all;
-    for (const building::RegionKind kind : m_kinds)
+    for (const building::RegionKind kind : kinds)
         all.push_back({Words::regionKind(kind), colours.fill(kind), Qt::SolidPattern});
-    for (const RegionMark mark : m_marks) {
-        const RegionMarkStyle style = regionMarkStyle(mark, colours.dark);
+    for (const RegionMark mark : marks) {
+        const RegionMarkStyle style = regionMarkStyle(mark, dark);
         all.push_back({markWords(mark), style.colour, style.pattern});
     }
-    if (!m_coverage) return all;
-    all.push_back({tr("sees no landmark"), coverageColour(0, colours.dark), Qt::FDiagPattern});
-    all.push_back({tr("sees one"), coverageColour(1, colours.dark), Qt::SolidPattern});
-    all.push_back({tr("sees several"), coverageColour(2, colours.dark), Qt::SolidPattern});
+    if (!coverage) return all;
+    all.push_back({tr("sees no landmark"), coverageColour(0, dark), Qt::FDiagPattern});
+    all.push_back({tr("sees one"), coverageColour(1, dark), Qt::SolidPattern});
+    all.push_back({tr("sees several"), coverageColour(2, dark), Qt::SolidPattern});
     return all;
 }
 
-int PlanLegend::layOut(int width, QPainter* painter) const {
-    const MapColours colours = MapColours::of(isDark(palette()));
-    const int line = std::max(fontMetrics().height() + 4, 18);
+std::vector<PlanLegend::Entry> PlanLegend::entries() const {
+    return entries(m_kinds, m_marks, m_coverage, isDark(palette()));
+}
+
+int PlanLegend::paint(const std::vector<Entry>& entries, int width, const QFontMetrics& metrics, bool dark,
+                      QPainter* painter) {
+    const MapColours colours = MapColours::of(dark);
+    const int line = std::max(metrics.height() + 4, 18);
     int x = 0;
     int y = 0;
-    for (const Entry& entry : entries()) {
-        const int takes = 18 + 6 + fontMetrics().horizontalAdvance(entry.words) + 14;
+    for (const Entry& entry : entries) {
+        const int takes = 18 + 6 + metrics.horizontalAdvance(entry.words) + 14;
         if (x > 0 && x + takes > width) {
             x = 0;
             y += line;
@@ -95,12 +102,16 @@ int PlanLegend::layOut(int width, QPainter* painter) const {
             painter->fillRect(swatch, QBrush(entry.colour, entry.pattern));
             painter->setPen(colours.border);
             painter->drawRect(swatch);
-            painter->setPen(palette().color(QPalette::WindowText));
+            painter->setPen(colours.text);
             painter->drawText(QRect(x + 24, y, takes, line), Qt::AlignVCenter | Qt::AlignLeft, entry.words);
         }
         x += takes;
     }
     return x == 0 && y == 0 ? 0 : y + line + 1;
+}
+
+int PlanLegend::layOut(int width, QPainter* painter) const {
+    return paint(entries(), width, fontMetrics(), isDark(palette()), painter);
 }
 
 int PlanLegend::heightForWidth(int width) const {

@@ -19,8 +19,19 @@ class PlanLegend : public QWidget {
     Q_OBJECT
 
 public:
+    struct Entry {
+        QString words;
+        QColor colour;
+        Qt::BrushStyle pattern = Qt::SolidPattern;
+    };
+
     explicit PlanLegend(QWidget* parent = nullptr);
 
+    static std::vector<Entry> entries(const std::vector<building::RegionKind>& kinds,
+                                      const std::vector<RegionMark>& marks, bool coverage, bool dark);
+    /// In rows of at most `width`; without a painter it is only measured. The height it takes.
+    static int paint(const std::vector<Entry>& entries, int width, const QFontMetrics& metrics, bool dark,
+                     QPainter* painter);
     void setKinds(std::vector<building::RegionKind> kinds);
     void setMarks(std::vector<RegionMark> marks);
     void setCoverage(bool shown);
@@ -34,11 +45,6 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
-    struct Entry {
-        QString words;
-        QColor colour;
-        Qt::BrushStyle pattern = Qt::SolidPattern;
-    };
     std::vector<Entry> entries() const;
     int layOut(int width, QPainter* painter) const; ///< the height it takes
     void refresh();

@@ -1,6 +1,7 @@
 #include "ui/curation/plan_print.h"
 
 #include "ui/convert/convert.h"
+#include "ui/curation/plan_panel.h"
 #include "ui/map/map_painter.h"
 #include "ui/models/words.h"
 
@@ -8,15 +9,35 @@
 #include <QPdfWriter>
 #include <QSaveFile>
 
+#include <set>
+#include <vector>
+
 namespace farol::ui {
 
 namespace {
 
 constexpr int kDotsPerInch = 96; // what the painter's widths in pixels are meant for
 constexpr double kTitleHeight = 34.0;
+constexpr double kLegendGap = 8.0;
 
-void paintPage(QPainter& painter, const MapScene& scene, const LevelScene& level, const MapOverlay& overlay,
-               QSizeF page) {
+/// What stands on this level, in the words and colours of the screen's legend.
+std::vector<PlanLegend::Entry> legendOf(const MapScene& scene, const LevelScene& level,
+                                        const MapOverlay& overlay) {
+    std::set<building::RegionKind> kinds;
+    std::set<RegionMark> marks;
+    for (const RegionShape& shape : level.regions) {
+        kinds.insert(scene.building().regions()[shape.index].kind);
+        if (overlay.marks && shape.index < overlay.marks->size()) marks.insert((*overlay.marks)[shape.index]);
+    }
+    marks.erase(RegionMark::None);
+    return PlanLegend::entries({kinds.begin(), kinds.end()}, {marks.begin(), marks.end()},
+                               overlay.coverage != nullptr, false);
+}
+
+} // namespace
+
+void paintPlanPage(QPainter& painter, const MapScene& scene, const LevelScene& level,
+                   const MapOverlay& overlay, QSizeF page) {
     const building::Building& building = scene.building();
     const QString title = toQString(building.data().title);
     const QString name = Words::level(building, level.ordinal);
@@ -26,16 +47,26 @@ void paintPage(QPainter& painter, const MapScene& scene, const LevelScene& level
     painter.setPen(Qt::black);
     painter.drawText(QRectF(0, 0, page.width(), kTitleHeight), Qt::AlignLeft | Qt::AlignVCenter,
                      title.isEmpty() ? name : QStringLiteral("%1 – %2").arg(title, name));
-    const QSizeF room(page.width(), page.height() - kTitleHeight);
+    font.setPixelSize(11);
+    painter.setFont(font);
+    const std::vector<PlanLegend::Entry> legend = legendOf(scene, level, overlay);
+    const int width = static_cast<int>(page.width());
+    const QFontMetrics metrics(font, painter.device());
+    const int legendHeight = PlanLegend::paint(legend, width, metrics, false, nullptr);
+    painter.save();
+    painter.translate(0, page.height() - legendHeight);
+    PlanLegend::paint(legend, width, metrics, false, &painter);
+    painter.restore();
+    const QSizeF room(page.width(), page.height() - kTitleHeight - legendHeight - kLegendGap);
     MapColours colours = MapColours::of(false);
     colours.outside = Qt::white;
-    font.setPixelSize(11);
     const ViewTransform view = ViewTransform::fitted(level.bounds, room, 24.0);
     const MapPainter map(scene, level.ordinal, view, colours, font, {true, false, true});
     painter.save();
     painter.translate(0, kTitleHeight);
     painter.setClipRect(QRectF(QPointF(), room));
     map.paintGround(painter);
+    map.paintPictures(painter, overlay);
     map.paintTint(painter, overlay);
     map.paintFurnishing(painter);
     map.paintRoute(painter, overlay);
@@ -44,8 +75,6 @@ void paintPage(QPainter& painter, const MapScene& scene, const LevelScene& level
     map.paintScale(painter);
     painter.restore();
 }
-
-} // namespace
 
 bool printPlan(const std::shared_ptr<const building::Building>& building, const MapOverlay& overlay,
                const QString& file) {
@@ -64,7 +93,7 @@ bool printPlan(const std::shared_ptr<const building::Building>& building, const 
         for (const LevelScene& level : scene.levels()) {
             if (!first) writer.newPage();
             first = false;
-            paintPage(painter, scene, level, overlay, QSizeF(writer.width(), writer.height()));
+            paintPlanPage(painter, scene, level, overlay, QSizeF(writer.width(), writer.height()));
         }
     }
     // commit() alone forgets that the last bytes could not be written, and puts a cut file in place.

@@ -108,6 +108,11 @@ void ReportPanel::showCurrent() {
 }
 
 void ReportPanel::showNext() {
+    if (!m_tree->currentIndex().isValid() && m_model.rowCount() > 0) { // the first, with its words
+        const QModelIndex group = m_model.index(0, 0);
+        m_tree->expand(group);
+        return m_tree->setCurrentIndex(m_model.rowCount(group) > 0 ? m_model.index(0, 0, group) : group);
+    }
     const building::Finding* finding = m_model.findingAt(m_tree->currentIndex());
     if (!finding || finding->ids.empty()) return;
     for (std::size_t tried = 0; tried < finding->ids.size(); ++tried) {
@@ -132,10 +137,11 @@ void ReportPanel::retranslate() {
         m_summary->setText(m_findings.empty() ? tr("Nothing is wrong with this map.") : counts);
     m_tree->setAccessibleName(tr("Findings"));
     m_tree->setToolTip(tr("What is wrong with the map; choose a finding to see its place on the plan"));
+    m_words->setPlaceholderText(tr("Choose a finding to read what it means and what to do."));
     m_words->setAccessibleName(tr("The finding in words"));
     m_words->setToolTip(tr("The finding in words, and what to do"));
-    m_next->setText(tr("Ne&xt feature"));
-    m_next->setToolTip(tr("Show the next feature of this finding (F4)"));
+    m_next->setText(tr("Ne&xt place"));
+    m_next->setToolTip(tr("Show the next place of this finding (F4)"));
     m_again->setText(tr("Chec&k again"));
     m_again->setToolTip(tr("Look for what is wrong with the map as it is now (F7)"));
     m_model.retranslate();

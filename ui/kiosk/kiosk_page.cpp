@@ -14,11 +14,19 @@ namespace {
 
 constexpr int kPoints = 40;
 constexpr int kWordPoints = 54;
-constexpr int kLongWords = 160; // letters; longer texts are set smaller
-constexpr int kHoldMs = 1500;
-constexpr int kReadMs = 70; // a letter, as the voice takes
+constexpr int kLongWords = 160;   // letters; longer texts are set smaller
+constexpr quint64 kFingerMs = 20; // no finger lets a key go and is down again in less
+constexpr int kReadMs = 70;       // a letter, as the voice takes
 const QString kYellow = QStringLiteral("#ffe000");
 const QString kWhite = QStringLiteral("#ffffff");
+
+/// Lines break between the keys, not between a key and what it does.
+QString keptTogether(const QString& hint) {
+    const QString gap = QStringLiteral("   ");
+    QStringList entries = hint.split(gap);
+    for (QString& entry : entries) entry.replace(QLatin1Char(' '), QChar::Nbsp);
+    return entries.join(gap);
+}
 
 } // namespace
 
@@ -50,7 +58,7 @@ KioskPage::KioskPage(Kiosk& kiosk, QWidget* parent) : QWidget(parent), m_kiosk(k
     layout->addWidget(m_detail);
     layout->addWidget(m_hint);
     m_hold.setSingleShot(true);
-    m_hold.setInterval(kHoldMs);
+    m_hold.setTimerType(Qt::PreciseTimer);
     connect(&m_hold, &QTimer::timeout, &kiosk, &Kiosk::holdBack);
     connect(&kiosk, &Kiosk::spoken, this, &KioskPage::showWords);
     connect(&kiosk, &Kiosk::changed, this, &KioskPage::refresh);
@@ -97,22 +105,41 @@ void KioskPage::refresh() {
         label->setVisible(!text.isEmpty());
     };
     set(m_title, m_kiosk.machine().title());
-    set(m_hint, m_kiosk.machine().hint());
+    set(m_hint, keptTogether(m_kiosk.machine().hint()));
     set(m_detail, m_kiosk.detail());
+}
+
+/// A key that is held down comes as a row of releases and presses. Where both do not arrive together, Qt
+/// takes them for those of a finger: a question would be answered by the key that asked it.
+bool KioskPage::isRepetition(const QKeyEvent& event) const {
+    if (event.isAutoRepeat()) return true;
+    return event.key() == m_releasedKey && event.timestamp() != 0 &&
+           event.timestamp() - m_releasedAt < kFingerMs;
 }
 
 void KioskPage::keyPressEvent(QKeyEvent* event) {
     event->accept();
     const KioskKey key{event->key(), event->text(), event->modifiers().testFlag(Qt::KeypadModifier)};
     const KioskCommand command = commandOf(key);
-    if (event->isAutoRepeat() && !repeats(command)) return;
-    if (command == KioskCommand::Back && !event->isAutoRepeat()) m_hold.start();
+    const bool repetition = isRepetition(*event);
+    if (command != KioskCommand::Back)
+        m_hold.stop();
+    else if (!repetition)
+        m_hold.start(m_holdMs);
+    else if (!m_hold.isActive() && m_holdLeftMs >= 0)
+        m_hold.start(m_holdLeftMs);
+    m_holdLeftMs = -1;
+    if (repetition && !repeats(command)) return;
     m_kiosk.press(key);
 }
 
 void KioskPage::keyReleaseEvent(QKeyEvent* event) {
-    if (!event->isAutoRepeat()) m_hold.stop();
     event->accept();
+    if (event->isAutoRepeat()) return;
+    m_releasedKey = event->key();
+    m_releasedAt = event->timestamp();
+    m_holdLeftMs = m_hold.remainingTime();
+    m_hold.stop();
 }
 
 /// Tab is a key like all others here: it has nowhere to go.

@@ -20,7 +20,7 @@ public:
     explicit KioskPage(Kiosk& kiosk, QWidget* parent = nullptr);
 
     /// How long Escape is held down to leave.
-    void setHoldMs(int ms) { m_hold.setInterval(ms); }
+    void setHoldMs(int ms) { m_holdMs = ms; }
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;
@@ -32,12 +32,17 @@ private:
     QLabel* addLabel(const QString& colour, int points, const QString& name);
     void showWords(const QString& text);
     void refresh();
+    bool isRepetition(const QKeyEvent& event) const;
 
     Kiosk& m_kiosk;
     QLabel *m_title, *m_words, *m_detail, *m_hint;
     QScrollArea* m_area;
     QPropertyAnimation* m_scroll;
     QTimer m_hold;
+    int m_holdMs = 1500;
+    int m_holdLeftMs = -1; ///< when Escape was let go
+    int m_releasedKey = 0;
+    quint64 m_releasedAt = 0; ///< by the window system's clock, ms
 };
 
 } // namespace farol::ui

@@ -136,6 +136,7 @@ void LivePage::connectWalk() {
         m_utterances.clear();
         m_timeline.clear();
         m_explained.reset();
+        m_told.clear();
         const auto options = session::NavigatorOptions::with(toUtf8(m_walk.localiser()));
         m_map->setSureConfidence(options.guidance.sureConfidence);
         m_framesShown = 0;
@@ -143,6 +144,11 @@ void LivePage::connectWalk() {
     });
     connect(&m_walk, &Walk::stepped, this, [this](const session::NavigationStep& step) {
         m_speech.setNow(step.percept.time, step.fix.region, step.progress.routeVersion);
+        m_told.heard(step.fix);
+    });
+    connect(&m_walk, &Walk::corrected, this, [this](const std::optional<RegionId>& region) {
+        m_told.tell(region);
+        if (!m_timelineBar->looksBack()) show(m_walk.snapshot());
     });
     connect(&m_walk, &Walk::cueCame, this, [this](const guidance::Cue& cue) { m_speech.add(cue); });
     connect(&m_walk, &Walk::placesChanged, this, [this] {
@@ -225,6 +231,7 @@ void LivePage::show(const std::shared_ptr<const session::Snapshot>& snapshot) {
     const bool newFrame = snapshot && snapshot != m_shown && !snapshot->frame.image.empty();
     m_shown = snapshot;
     m_frame->show(snapshot);
+    m_map->setTold(m_timelineBar->looksBack() ? ToldPlace() : m_told);
     m_map->show(snapshot);
     m_instruction->show(snapshot);
     if (!snapshot) {
@@ -294,6 +301,12 @@ void LivePage::retranslate() {
     name(m_historyTable, tr("Last seen"), tr("The last objects that the place is worked out from"));
     name(m_pictureTable, tr("In the picture"), tr("Everything recognised in the picture shown"));
     name(m_floorTable, tr("On this floor"), tr("The map as a list; press Enter on a place to go there"));
+    setEmptyHint(m_said, tr("Nothing has been said yet."));
+    setEmptyHint(m_voteTable, tr("Nothing has been worked out yet."));
+    setEmptyHint(m_detailTable, tr("As soon as there is a place, what speaks for it stands here."));
+    setEmptyHint(m_historyTable, tr("Nothing has been recognised yet."));
+    setEmptyHint(m_pictureTable, tr("Nothing is recognised in the picture."));
+    setEmptyHint(m_floorTable, tr("No map is open."));
     m_tabs->setTabText(0, tr("Why there"));
     m_tabs->setTabText(1, tr("Last seen"));
     m_tabs->setTabText(2, tr("In the picture"));

@@ -3,6 +3,7 @@
 // seen.
 
 #include "ui/live/speech_desk.h"
+#include "ui/live/told_place.h"
 #include "ui/live/walk.h"
 #include "ui/live/walk_timeline.h"
 #include "ui/models/detection_model.h"
@@ -112,6 +113,7 @@ private:
     std::optional<RegionId> m_explained; ///< chosen by the user; empty: the best
     int m_framesShown = 0;
     std::shared_ptr<const session::Snapshot> m_shown;
+    ToldPlace m_told;         ///< of the walk that runs
     double m_zoneUntil = 0.0; ///< walk time until which the spoken zone stays marked
 };
 

@@ -101,10 +101,11 @@ void MapPanel::show(const std::shared_ptr<const session::Snapshot>& snapshot) {
     overlay.sureConfidence = m_sureConfidence;
     if (snapshot) {
         overlay.truth = m_truth;
-        overlay.fix = snapshot->step.fix;
+        overlay.fix =
+            m_told.holds() && m_building ? m_told.shown(snapshot->step.fix, *m_building) : snapshot->step.fix;
         overlay.route = snapshot->step.progress.route;
         overlay.regionsPassed = snapshot->step.progress.regionsPassed;
-        if (m_follow->isChecked() && snapshot->step.fix.level) m_view->setLevel(*snapshot->step.fix.level);
+        if (m_follow->isChecked() && overlay.fix->level) m_view->setLevel(*overlay.fix->level);
     }
     m_view->setOverlay(overlay);
     const QString words = where();
@@ -117,15 +118,22 @@ QString MapPanel::where() const {
     if (!m_building) return tr("No map is open.");
     if (!m_snapshot)
         return tr("%n place(s) on the map.", nullptr, static_cast<int>(m_building->regions().size()));
-    const localisation::Fix& fix = m_snapshot->step.fix;
+    QString words = whereItIs(*m_view->overlay().fix);
+    if (m_told.overruled())
+        words += QLatin1Char(' ') +
+                 tr("The assistant had said: %1.").arg(regionName(m_building.get(), *m_told.region()));
+    return words;
+}
+
+QString MapPanel::whereItIs(const localisation::Fix& fix) const {
     if (!fix.region) return tr("Where you are is not known yet.");
     const building::Region* region = m_building->region(*fix.region);
     const QString name = regionName(m_building.get(), *fix.region);
+    const QString sure =
+        m_told.holds() ? tr("said by the assistant") : Words::sureness(fix.confidence, m_sureConfidence);
     if (m_truth && !m_truth->region.empty() && m_truth->region != *fix.region)
         return tr("Taken to be in %1: %2. Really in %3.")
-            .arg(name, Words::sureness(fix.confidence, m_sureConfidence),
-                 regionName(m_building.get(), m_truth->region));
-    const QString sure = Words::sureness(fix.confidence, m_view->overlay().sureConfidence);
+            .arg(name, sure, regionName(m_building.get(), m_truth->region));
     if (region && m_building->levels().size() > 1)
         return tr("You are in %1, %2: %3.").arg(name, Words::level(*m_building, region->level), sure);
     return tr("You are in %1: %2.").arg(name, sure);

@@ -2,6 +2,7 @@
 // The floor map with its level switch, and one line in words: where one is and how sure that is.
 
 #include "core/session/percept.h"
+#include "ui/live/told_place.h"
 #include "ui/map/map_view.h"
 
 #include <QWidget>
@@ -23,6 +24,8 @@ public:
 
     void setBuilding(const std::shared_ptr<const building::Building>& building);
     void show(const std::shared_ptr<const session::Snapshot>& snapshot); ///< null: nothing yet
+    /// The assistant's word, over what a snapshot says.
+    void setTold(const ToldPlace& told) { m_told = told; }
     void setDestination(const std::optional<RegionId>& destination);
     /// Of a simulated walk; empty: nobody knows.
     void setTruth(const std::optional<TruePlace>& truth);
@@ -49,12 +52,14 @@ private:
     void openMenu(const MapHit& hit, const QPoint& at);
     QString describe(const MapHit& hit) const;
     QString where() const;
+    QString whereItIs(const localisation::Fix& fix) const;
     std::optional<RegionId> regionOf(const MapHit& hit) const;
 
     std::shared_ptr<const building::Building> m_building;
     std::shared_ptr<const session::Snapshot> m_snapshot;
     std::optional<RegionId> m_destination;
     std::optional<TruePlace> m_truth;
+    ToldPlace m_told;
     double m_sureConfidence = 0.5;
     MapView* m_view;
     QLabel* m_title;

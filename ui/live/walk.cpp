@@ -306,7 +306,9 @@ void Walk::setStart(const std::optional<RegionId>& region) {
 }
 
 void Walk::correct(const std::optional<RegionId>& region) {
-    if (m_session) m_session->setStart(region);
+    if (!m_session) return;
+    m_session->setStart(region);
+    Q_EMIT corrected(region);
 }
 
 void Walk::setDestination(const std::optional<RegionId>& region) {

@@ -82,8 +82,9 @@ Q_SIGNALS:
     void mapChanged();
     void libraryChanged();
     void sourceChanged();
-    void placesChanged();                  ///< start or destination
-    void busyChanged(const QString& what); ///< empty: nothing is being loaded
+    void corrected(const std::optional<farol::RegionId>& region); ///< by the assistant, just now
+    void placesChanged();                                         ///< start or destination
+    void busyChanged(const QString& what);                        ///< empty: nothing is being loaded
     void problem(farol::ui::Problem kind, const QString& message);
     void problemSolved(farol::ui::Problem kind);
     void remark(const QString& message); ///< what is odd in a map, a lost camera, skipped pictures

@@ -36,8 +36,10 @@ FiguresDialog::FiguresDialog(std::vector<Chart> charts, QWidget* parent)
     keep->setToolTip(tr("Save the chart as a picture, or as a drawing that stays sharp"));
     connect(keep, &QPushButton::clicked, this, &FiguresDialog::save);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    connect(m_list, &QListWidget::currentRowChanged, this, [this](int row) {
-        if (row >= 0) m_view->setChart(m_charts[static_cast<std::size_t>(row)]);
+    connect(m_list, &QListWidget::currentRowChanged, this, [this, keep](int row) {
+        if (row < 0) return;
+        m_view->setChart(m_charts[static_cast<std::size_t>(row)]);
+        keep->setEnabled(!m_view->chart().empty());
     });
     auto* layout = new QVBoxLayout(this);
     layout->addWidget(halves, 1);

@@ -3,6 +3,7 @@
 #include "ui/convert/glyphs.h"
 
 #include <QDialogButtonBox>
+#include <QEvent>
 #include <QListWidget>
 #include <QSplitter>
 #include <QTextBrowser>
@@ -13,7 +14,7 @@ namespace farol::ui {
 namespace {
 
 QString picture(const char* name) {
-    return QStringLiteral("<img src=\"glyph:%1\" width=\"20\" height=\"20\">&nbsp;").arg(QLatin1String(name));
+    return QStringLiteral("<img src=\"glyph:%1\" width=\"20\" height=\"20\">").arg(QLatin1String(name));
 }
 
 struct Named {
@@ -37,10 +38,7 @@ HelpDialog::HelpDialog(QWidget* parent)
     m_text->setAccessibleName(tr("Text of the chapter"));
     m_text->setTabChangesFocus(true);
     m_text->setOpenExternalLinks(true);
-    for (const Named& one : kPictures)
-        m_text->document()->addResource(QTextDocument::ImageResource,
-                                        QUrl(QStringLiteral("glyph:%1").arg(QLatin1String(one.name))),
-                                        glyphIcon(one.glyph, palette()).pixmap(20, 20));
+    drawPictures();
     auto* halves = new QSplitter(Qt::Horizontal, this);
     halves->addWidget(m_chapters);
     halves->addWidget(m_text);
@@ -61,6 +59,21 @@ void HelpDialog::showPage(Page page) {
     m_chapters->setCurrentRow(static_cast<int>(page));
 }
 
+void HelpDialog::drawPictures() {
+    for (const Named& one : kPictures)
+        m_text->document()->addResource(QTextDocument::ImageResource,
+                                        QUrl(QStringLiteral("glyph:%1").arg(QLatin1String(one.name))),
+                                        glyphIcon(one.glyph, palette()).pixmap(20, 20));
+}
+
+void HelpDialog::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::PaletteChange) { // from light to dark while it is open
+        drawPictures();
+        showChapter(m_chapters->currentRow());
+    }
+    QDialog::changeEvent(event);
+}
+
 QString HelpDialog::text() const {
     return m_text->toPlainText();
 }
@@ -68,7 +81,9 @@ QString HelpDialog::text() const {
 void HelpDialog::showChapter(int chapter) {
     QStringList parts;
     const auto item = [&](const char* glyph, const QString& text) {
-        parts << QStringLiteral("<p>%1%2</p>").arg(picture(glyph), text);
+        parts << QStringLiteral("<table cellspacing=\"0\" cellpadding=\"4\"><tr><td valign=\"middle\">%1</td>"
+                                "<td valign=\"middle\">%2</td></tr></table>")
+                     .arg(picture(glyph), text);
     };
     const auto plain = [&](const QString& text) { parts << QStringLiteral("<p>%1</p>").arg(text); };
     parts
@@ -103,11 +118,14 @@ void HelpDialog::showChapter(int chapter) {
                "and which are taken for each other. Merge what is the same, and add views to what is lost."));
         break;
     case 3:
-        plain(tr("The kiosk is for a blind user who is alone: “farol --kiosk” fills the screen and says "
-                 "everything. Arrows and Enter choose a destination, letters search, F1 says the keys, "
-                 "Escape goes back."));
-        plain(tr("Space repeats, W says where you are, A what is around you, N what comes next, L the whole "
-                 "way. Plus and minus change the speed of the voice. Hold Escape to leave."));
+        plain(
+            tr("The kiosk is for a blind user who is alone: “farol --kiosk” fills the screen and says "
+               "everything. Arrows and Enter choose a destination, F searches by name, digits by number; F1 "
+               "says all keys, Escape goes back."));
+        plain(tr(
+            "Space repeats, W says where you are, A what is around you, N what comes next, L the whole "
+            "way. M is quiet, plus and minus change the speed of the voice, F2 the language, F4 goes over to "
+            "two keys only. Hold Escape to leave."));
         break;
     default:
         plain(tr("Here somebody is guided, and you watch: what the camera sees, the place on the map, what "

@@ -20,7 +20,11 @@ public:
     QListWidget& chapters() { return *m_chapters; }
     QString text() const;
 
+protected:
+    void changeEvent(QEvent* event) override;
+
 private:
+    void drawPictures();
     void showChapter(int chapter);
 
     QListWidget* m_chapters;

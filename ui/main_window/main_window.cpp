@@ -86,6 +86,7 @@ MainWindow::MainWindow(Settings& settings, Walk::OpenSource open, SpeechDesk::Ma
     statusBar()->addWidget(m_status, 1);
     statusBar()->addPermanentWidget(m_busy);
     statusBar()->setSizeGripEnabled(false);
+    statusBar()->setContentsMargins(6, 0, 6, 0);
     setMinimumSize(900, 620);
     resize(1280, 800);
     restoreGeometry(settings.windowGeometry());
@@ -300,7 +301,7 @@ void MainWindow::showState(session::RunState state) {
         text = tr("Walking");
         break;
     case session::RunState::Paused:
-        text = tr("Held");
+        text = tr("Paused");
         break;
     case session::RunState::Ended:
         text = tr("The walk has ended");

@@ -94,6 +94,7 @@ void MainWindow::connectSupervision() {
         ask->setWindowTitle(tr("Say this"));
         ask->setLabelText(tr("Sentence that is spoken to the user:"));
         ask->setOkButtonText(tr("&Say it"));
+        ask->setMinimumWidth(480); // room for a sentence
         connect(ask, &QInputDialog::textValueSelected, this, [this](const QString& text) {
             if (!text.trimmed().isEmpty()) m_speech.say(text.trimmed());
         });

@@ -15,6 +15,9 @@
 #include <QTabWidget>
 #include <QVBoxLayout>
 
+#include <algorithm>
+#include <functional>
+
 namespace farol::ui {
 
 namespace {
@@ -22,6 +25,23 @@ namespace {
 void name(QWidget* widget, const QString& accessible, const QString& tip) {
     widget->setAccessibleName(accessible);
     widget->setToolTip(tip);
+}
+
+/// A slider with what it stands at beside it.
+QLayout* withFigure(QSlider* slider, const std::function<QString(int)>& words) {
+    auto* figure = new QLabel(slider->parentWidget());
+    figure->setTextFormat(Qt::PlainText);
+    int widest = 0;
+    for (const int value : {slider->minimum(), 0, slider->maximum()})
+        widest = std::max(widest, figure->fontMetrics().horizontalAdvance(words(value)));
+    figure->setMinimumWidth(widest + 8);
+    const auto tell = [figure, words](int value) { figure->setText(words(value)); };
+    tell(slider->value());
+    QObject::connect(slider, &QSlider::valueChanged, figure, tell);
+    auto* row = new QHBoxLayout;
+    row->addWidget(slider, 1);
+    row->addWidget(figure);
+    return row;
 }
 
 /// Of a field that shares its row with a button.
@@ -142,11 +162,15 @@ void SettingsDialog::buildVoice(QFormLayout& form) {
     m_rate->setRange(-100, 100);
     m_rate->setValue(static_cast<int>(voice.rate * 100.0));
     name(m_rate, tr("Speed of the voice"), tr("Slow on the left, fast on the right"));
-    form.addRow(tr("S&peed of the voice:"), m_rate);
+    form.addRow(
+        labelFor(tr("S&peed of the voice:"), m_rate), withFigure(m_rate, [](int value) {
+            return value == 0 ? tr("normal") : value > 0 ? tr("+%1").arg(value) : tr("−%1").arg(-value);
+        }));
     m_volume->setRange(0, 100);
     m_volume->setValue(static_cast<int>(voice.volume * 100.0));
     name(m_volume, tr("Loudness"), tr("How loud the voice is"));
-    form.addRow(tr("Lo&udness:"), m_volume);
+    form.addRow(labelFor(tr("Lo&udness:"), m_volume),
+                withFigure(m_volume, [](int value) { return tr("%1 %").arg(value); }));
 }
 
 void SettingsDialog::buildFolder(QFormLayout& form) {

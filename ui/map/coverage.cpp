@@ -206,8 +206,8 @@ QImage drawn(const LevelCoverage& level, bool dark) {
 
 QColor coverageColour(int seen, bool dark) {
     if (seen == 0) return dark ? QColor(255, 120, 120, 150) : QColor(163, 20, 43, 130);
-    if (seen == 1) return dark ? QColor(90, 190, 230, 70) : QColor(0, 110, 170, 45);
-    return dark ? QColor(90, 190, 230, 130) : QColor(0, 110, 170, 105);
+    if (seen == 1) return dark ? QColor(90, 190, 230, 55) : QColor(0, 110, 170, 40);
+    return dark ? QColor(90, 190, 230, 170) : QColor(0, 110, 170, 150);
 }
 
 CoverageLayer drawCoverage(Coverage coverage) {

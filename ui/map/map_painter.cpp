@@ -197,7 +197,7 @@ bool MapPainter::paintName(QPainter& painter, const RegionShape& shape, const QS
     const double along = upright ? roomUp : roomAcross;
     const double across = upright ? roomAcross : roomUp;
     // A name that does not fit would be taken for the neighbour's; the pointer and the list tell it.
-    if (width > 1.1 * along || metrics.height() > 1.6 * across) return false;
+    if (width > along || metrics.height() > 1.6 * across) return false;
     const QPointF home = screen(shape.labelAt);
     const QSizeF size = upright ? QSizeF(metrics.height(), width) : QSizeF(width, metrics.height());
     const double slack = std::max(0.0, (along - width) / 2);

@@ -8,6 +8,8 @@ namespace farol::ui {
 
 namespace {
 
+constexpr double kAside = 0.25; // of the floor's length: what is farther outside is not shown with it
+
 void addRing(QPainterPath& path, const Ring& ring) {
     if (ring.size() < 3) return;
     path.moveTo(ring.front().x, ring.front().y);
@@ -50,14 +52,21 @@ void MapScene::finishLevel(LevelScene& level) {
                      [](const RegionShape& a, const RegionShape& b) {
                          return a.bounds.width() * a.bounds.height() > b.bounds.width() * b.bounds.height();
                      });
-    std::optional<Box2> all;
+    // What lies far outside (a landmark with a wrong figure) must not make the floor a spot in a corner.
+    std::optional<Box2> all, floor;
+    const auto near = [&floor](const Box2& box) {
+        if (!floor) return true;
+        const double margin = kAside * std::max(floor->width(), floor->height());
+        return box.high.x >= floor->low.x - margin && box.low.x <= floor->high.x + margin &&
+               box.high.y >= floor->low.y - margin && box.low.y <= floor->high.y + margin;
+    };
     const auto index = [&](const auto& list, auto box) {
         std::vector<Box2> boxes;
         boxes.reserve(list.size());
         for (const auto& item : list) {
             const Box2 one = box(item);
             boxes.push_back(one);
-            if (!isFinite(one.low) || !isFinite(one.high)) continue;
+            if (!isFinite(one.low) || !isFinite(one.high) || !near(one)) continue;
             if (!all) all = one;
             all->low = {std::min(all->low.x, one.low.x), std::min(all->low.y, one.low.y)};
             all->high = {std::max(all->high.x, one.high.x), std::max(all->high.y, one.high.y)};
@@ -65,6 +74,7 @@ void MapScene::finishLevel(LevelScene& level) {
         return building::BoxIndex(boxes);
     };
     level.regionIndex = index(level.regions, [](const RegionShape& shape) { return boxOf(shape.bounds); });
+    floor = all;
     level.accessIndex = index(level.accesses, [](const AccessShape& shape) { return boxOf(shape.line); });
     level.landmarkIndex = index(level.landmarks, [this](std::size_t i) {
         const Point2 at = m_building->landmarks()[i].position;

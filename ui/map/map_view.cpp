@@ -12,6 +12,7 @@
 #include <QToolTip>
 #include <QWheelEvent>
 
+#include <algorithm>
 #include <cmath>
 
 namespace farol::ui {
@@ -21,6 +22,7 @@ namespace {
 constexpr double kZoomStep = 1.25;
 constexpr double kPanStepPx = 48.0;
 constexpr double kFitMarginPx = 34.0;
+constexpr double kLegendPx = 26.0; // at the lower edge, beside that margin
 constexpr std::size_t kLargeFrom =
     1200; // regions and doors of a level; drawing fewer takes a few milliseconds
 
@@ -95,8 +97,11 @@ void MapView::setLevel(double ordinal) {
 void MapView::fit() {
     m_fitted = true;
     const LevelScene* level = m_scene ? m_scene->level(m_level) : nullptr;
-    setViewTransform(level ? ViewTransform::fitted(level->bounds, size(), kFitMarginPx)
-                           : ViewTransform({}, 20.0, size()));
+    if (!level) return setViewTransform(ViewTransform({}, 20.0, size()));
+    const QSizeF above(width(), std::max(1.0, height() - kLegendPx)); // nothing lies under the legend
+    const ViewTransform whole = ViewTransform::fitted(level->bounds, above, kFitMarginPx);
+    const Point2 down{0.0, kLegendPx / 2 / whole.pixelsPerMetre()};
+    setViewTransform(ViewTransform(whole.centre() - down, whole.pixelsPerMetre(), size()));
 }
 
 void MapView::zoom(double factor) {
@@ -116,13 +121,24 @@ void MapView::select(const std::optional<MapHit>& hit, bool centre) {
         const Point2 at = positionOf(*hit, *m_scene);
         if (centre && !QRectF(rect()).adjusted(30, 30, -30, -30).contains(m_view.screenFromMap(at))) {
             m_fitted = false;
-            setViewTransform(m_view.centredOn(at));
+            setViewTransform(withSurroundings(at));
         }
     }
     if (hit == m_selected) return;
     m_selected = hit;
     update();
     Q_EMIT selectionChanged(hit);
+}
+
+/// What lies outside the floor is shown together with it, so that one sees where it is.
+ViewTransform MapView::withSurroundings(Point2 at) const {
+    const LevelScene* level = m_scene->level(m_level);
+    Box2 box = level ? level->bounds : Box2{at, at};
+    const bool inside = at.x >= box.low.x && at.x <= box.high.x && at.y >= box.low.y && at.y <= box.high.y;
+    if (inside) return m_view.centredOn(at);
+    box.low = {std::min(box.low.x, at.x), std::min(box.low.y, at.y)};
+    box.high = {std::max(box.high.x, at.x), std::max(box.high.y, at.y)};
+    return ViewTransform::fitted(box, size(), kFitMarginPx);
 }
 
 std::optional<MapHit> MapView::hit(QPointF screen) const {
@@ -224,9 +240,12 @@ void MapView::paintMap(QPainter& painter) {
 /// Where Return would put the new thing.
 void MapView::paintCross(QPainter& painter) const {
     const QPointF middle = QRectF(rect()).center();
-    painter.setPen(QPen(palette().color(QPalette::Highlight), 2));
-    painter.drawLine(middle - QPointF(14, 0), middle + QPointF(14, 0));
-    painter.drawLine(middle - QPointF(0, 14), middle + QPointF(0, 14));
+    const MapColours colours = MapColours::of(isDark(palette()));
+    for (const QPen& pen : {QPen(colours.halo, 6), QPen(colours.fix, 2)}) { // on a picture of any colour
+        painter.setPen(pen);
+        painter.drawLine(middle - QPointF(14, 0), middle + QPointF(14, 0));
+        painter.drawLine(middle - QPointF(0, 14), middle + QPointF(0, 14));
+    }
 }
 
 void MapView::paintEvent(QPaintEvent* /*event*/) {

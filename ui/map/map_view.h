@@ -103,6 +103,7 @@ private:
     void paintMap(QPainter& painter);
     void paintCross(QPainter& painter) const;
     void setScene(std::shared_ptr<const MapScene> scene);
+    ViewTransform withSurroundings(Point2 at) const;
     void dropCache();
     bool dragSelected(QPointF at);
     bool nudge(const QKeyEvent& event);

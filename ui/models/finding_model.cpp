@@ -2,6 +2,7 @@
 
 #include "ui/convert/convert.h"
 #include "ui/models/rule_words.h"
+#include "ui/speech/phrasebook.h"
 
 #include <QLocale>
 
@@ -72,7 +73,8 @@ QString FindingModel::explained(const QModelIndex& index) const {
     QStringList lines{tr("%1: %2").arg(severityWord(branch.severity), RuleWords::title(branch.rule))};
     if (const QString fix = RuleWords::fix(branch.rule); !fix.isEmpty()) lines << fix;
     if (finding) {
-        lines << toQString(finding->message);
+        const QString message = toQString(finding->message);
+        lines << (installedLanguage() == QLatin1String("en") ? message : tr("In English: %1").arg(message));
         if (!finding->ids.empty()) lines << idsOf(*finding, 30);
     }
     lines << tr("Rule: %1").arg(toQString(branch.rule));
@@ -120,12 +122,16 @@ QVariant FindingModel::data(const QModelIndex& index, int role) const {
     if (role != Qt::DisplayRole) return {};
     const building::Finding* finding = findingAt(index);
     if (!finding) return text(m_branches[static_cast<std::size_t>(index.row())], index.column());
-    return index.column() == Features ? idsOf(*finding, 4) : toQString(finding->message);
+    // Its sentence is long, and of the core, in English: it stands in the words below, behind the rule's own.
+    if (index.column() == What)
+        return finding->ids.empty() ? toQString(finding->message) : idsOf(*finding, 8);
+    return finding->ids.size() > 1 ? QLocale().toString(static_cast<qulonglong>(finding->ids.size()))
+                                   : QString();
 }
 
 QVariant FindingModel::headerData(int section, Qt::Orientation orientation, int role) const {
     if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
-    return section == What ? tr("What was found") : tr("Features");
+    return section == What ? tr("What was found") : tr("How many");
 }
 
 } // namespace farol::ui

@@ -1,6 +1,6 @@
 #pragma once
-// Fusion, where dark windows leave something hard to see: the frame of boxes to tick, and which tab is
-// chosen.
+// Fusion, where it leaves something hard to see: in dark windows the frames of fields, lists and boxes to
+// tick, and which tab is chosen; in all of them the words of a chosen row that has the keyboard.
 
 #include <QProxyStyle>
 
@@ -14,8 +14,14 @@ public:
 
     void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
                        const QWidget* widget) const override;
+    void drawComplexControl(ComplexControl control, const QStyleOptionComplex* option, QPainter* painter,
+                            const QWidget* widget) const override;
     void drawControl(ControlElement element, const QStyleOption* option, QPainter* painter,
                      const QWidget* widget) const override;
+
+private:
+    static void drawFrame(const QRect& rect, PrimitiveElement element, QPainter* painter);
+    static void drawRowFocus(const QStyleOption* option, QPainter* painter);
 };
 
 } // namespace farol::ui

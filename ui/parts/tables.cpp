@@ -9,6 +9,7 @@
 #include <QScrollBar>
 #include <QTableView>
 #include <QTimer>
+#include <QVBoxLayout>
 
 namespace farol::ui {
 
@@ -83,6 +84,31 @@ void wrapRows(QTableView* table) {
     QObject::connect(table->horizontalHeader(), &QHeaderView::geometriesChanged, later, measure);
     QObject::connect(table->verticalScrollBar(), &QScrollBar::valueChanged, later, measure);
     QObject::connect(table->verticalScrollBar(), &QScrollBar::rangeChanged, later, measure);
+}
+
+void setEmptyHint(QAbstractItemView* view, const QString& text) {
+    const QString name = QStringLiteral("empty-hint");
+    auto* hint = view->viewport()->findChild<QLabel*>(name, Qt::FindDirectChildrenOnly);
+    if (!hint) {
+        hint = new QLabel(view->viewport());
+        hint->setObjectName(name);
+        hint->setWordWrap(true);
+        hint->setAlignment(Qt::AlignCenter);
+        hint->setTextFormat(Qt::PlainText);
+        hint->setAttribute(Qt::WA_TransparentForMouseEvents);
+        hint->setContentsMargins(10, 6, 10, 6);
+        hint->setForegroundRole(QPalette::PlaceholderText);
+        auto* layout = new QVBoxLayout(view->viewport());
+        layout->setContentsMargins(0, 0, 0, 0);
+        layout->addWidget(hint);
+        const QAbstractItemModel* model = view->model();
+        const auto refresh = [hint, model] { hint->setVisible(model->rowCount() == 0); };
+        for (const auto& signal : {&QAbstractItemModel::rowsInserted, &QAbstractItemModel::rowsRemoved})
+            QObject::connect(model, signal, hint, refresh);
+        QObject::connect(model, &QAbstractItemModel::modelReset, hint, refresh);
+        refresh();
+    }
+    hint->setText(text);
 }
 
 void ShareBarDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,

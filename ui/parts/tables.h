@@ -5,6 +5,7 @@
 #include <QStyledItemDelegate>
 
 class QAbstractItemModel;
+class QAbstractItemView;
 class QTableView;
 class QWidget;
 
@@ -30,6 +31,10 @@ QTableView* panelTable(QAbstractItemModel* model, int stretched, QWidget* parent
 /// Lets long texts of the table take more lines. Only the rows that are seen are measured: there may be
 /// thousands, and they may change with each picture.
 void wrapRows(QTableView* table);
+
+/// What an empty list says instead of nothing: laid over it while it has no rows. Again with another text:
+/// that one.
+void setEmptyHint(QAbstractItemView* view, const QString& text);
 
 /// A bar behind the figure, as long as the share of the best vote.
 class ShareBarDelegate : public QStyledItemDelegate {

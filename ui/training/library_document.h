@@ -1,13 +1,17 @@
 #pragma once
 // The landmark library that the curator works on. Every step is written into the file at once, in the
 // background, and can be taken back. GUI thread; the library itself is immutable and replaced by each step.
+// Another Farol may work on the same file: one writes at a time, what it wrote is noticed, and put together
+// with what was made here.
 
 #include "core/recognition/library_edit.h"
 #include "ui/convert/background.h"
+#include "ui/convert/map_watch.h"
 
-#include <QDateTime>
+#include <QFileSystemWatcher>
 #include <QObject>
 #include <QString>
+#include <QTimer>
 #include <QUndoStack>
 
 #include <functional>
@@ -49,22 +53,33 @@ Q_SIGNALS:
     void saved();
     void failed(const QString& message);     ///< opening
     void unwritable(const QString& message); ///< what was changed is not in the file
-    void overtaken();                        ///< another program has written the file meanwhile
+    void overtaken();      ///< not saved: another program has changed the same landmarks meanwhile
+    void joined();         ///< saved, together with what another program has changed meanwhile
+    void changedOutside(); ///< another program has changed the file; nothing here is unsaved
     void refused(const QString& message);
 
 private:
     friend class LibraryCommand;
 
     void apply(const recognition::LibraryStep& step);
-    void take(const QString& path, Library library);
+    void take(const QString& path, Library library, const FileStamp& stamp);
+    struct Written {
+        Library library; ///< what the file holds now; null: it is another program's, and could not be joined
+        FileStamp stamp;
+    };
+    static Result<Written> save(const QString& path, const Library& mine, const Library& base,
+                                const FileStamp& known);
     void write();
-    void remember(); ///< how the file looks now
-    bool changedOutside() const;
+    void written(const Library& what, Result<Written> result);
+    void follow(const FileStamp& stamp); ///< the file looks so now, and is known
+    void look();
 
     Library m_library, m_written;
     QString m_path;
-    QDateTime m_stamp;
-    qint64 m_size = 0;
+    FileStamp m_stamp; ///< of what is known of the file
+    FileStamp m_told;  ///< of what was told last
+    QFileSystemWatcher m_watcher;
+    QTimer m_rest; ///< a program that writes does so many times
     QUndoStack m_undo;
     bool m_opening = false, m_changing = false, m_writing = false;
     std::uint64_t m_job = 0;

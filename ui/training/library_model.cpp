@@ -224,6 +224,7 @@ QVariant ConfusionModel::data(const QModelIndex& index, int role) const {
     }
     if (role == Qt::BackgroundRole && (self || count > 0)) {
         const bool dark = isDark(QGuiApplication::palette());
+        if (self && shown.tested == 0) return QColor(dark ? 0x3a4048 : 0xe4e6ea); // neither found nor lost
         const bool fine = self && shown.found == shown.tested;
         if (fine) return QColor(dark ? 0x1d4d33 : 0xcfeedd);
         return QColor(dark ? 0x6b2a22 : 0xf7c9c2);

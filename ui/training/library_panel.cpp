@@ -60,8 +60,6 @@ void LibraryPanel::build() {
     m_halves = new QSplitter(Qt::Horizontal, this);
     auto* left = new QWidget(m_halves);
     m_title = panelTitle(left);
-    m_empty = new QLabel(left);
-    m_empty->setWordWrap(true);
     m_table = panelTable(&m_model, LibraryModel::Name, left);
     m_table->verticalHeader()->setDefaultSectionSize(44);
     m_table->setIconSize({72, 36});
@@ -69,7 +67,6 @@ void LibraryPanel::build() {
     auto* leftLayout = new QVBoxLayout(left);
     leftLayout->setContentsMargins(0, 0, 0, 0);
     leftLayout->addWidget(m_title);
-    leftLayout->addWidget(m_empty);
     leftLayout->addWidget(m_table, 1);
     m_tabs = new QTabWidget(m_halves);
     m_tabs->setDocumentMode(true);
@@ -150,8 +147,6 @@ void LibraryPanel::setLibrary(const LibraryModel::Library& library) {
         const int row = again >= 0 ? again : before ? std::min(static_cast<int>(*before), rows - 1) : 0;
         m_table->selectRow(row);
     }
-    m_empty->setVisible(rows == 0);
-    m_table->setVisible(library != nullptr);
     retranslate();
     showChosen();
     Q_EMIT chosenChanged();
@@ -261,6 +256,26 @@ QString LibraryPanel::healthText() const {
     return m_health->text();
 }
 
+/// What could not be tried is not said to be found.
+QStringList LibraryPanel::foundWords() const {
+    int worrying = 0;
+    int untried = 0;
+    for (const recognition::TemplateCheck& check : m_checks) {
+        if (check.tested == 0) ++untried;
+        if (TrainingWords::worrying(check)) ++worrying;
+    }
+    QStringList lines;
+    if (worrying > 0)
+        lines << tr("%n landmark(s) need care.", nullptr, worrying);
+    else if (untried == 0)
+        lines << tr("All landmarks are found well.");
+    else if (untried < static_cast<int>(m_checks.size()))
+        lines << tr("All that have several views are found well.");
+    if (untried > 0)
+        lines << tr("%n landmark(s) cannot be tried: there is only one view. Add another.", nullptr, untried);
+    return lines;
+}
+
 void LibraryPanel::refreshReport() {
     m_progress->setVisible(m_checking);
     m_checkAll->setEnabled(!m_checking && m_model.rowCount() > 0);
@@ -274,11 +289,7 @@ void LibraryPanel::refreshReport() {
         lines << tr("Not checked yet. “Check all” looks how well each landmark is found, and which are taken "
                     "for each other.");
     } else {
-        int worrying = 0;
-        for (const recognition::TemplateCheck& check : m_checks)
-            if (TrainingWords::worrying(check)) ++worrying;
-        lines << (worrying == 0 ? tr("All landmarks are found well.")
-                                : tr("%n landmark(s) need care.", nullptr, worrying));
+        lines << foundWords();
         const int pairs = m_confusion.confusions();
         lines << (pairs == 0 ? tr("None is taken for another.")
                              : tr("%n pair(s) are taken for each other.", nullptr, pairs));
@@ -292,7 +303,8 @@ void LibraryPanel::refreshReport() {
 void LibraryPanel::retranslate() {
     const int rows = m_model.rowCount();
     m_title->setText(m_model.library() ? tr("%n landmark(s)", nullptr, rows) : tr("Landmarks"));
-    m_empty->setText(
+    setEmptyHint(
+        m_table,
         m_model.library()
             ? tr("This library is empty. “Teach” begins with the first landmark.")
             : tr("Open a landmark library, or make a new one, to teach Farol what it shall know again."));
@@ -301,6 +313,7 @@ void LibraryPanel::retranslate() {
     m_views->setAccessibleName(tr("Views of the landmark"));
     m_views->setToolTip(
         tr("The photographs it is learnt from; choose some of them to split or to delete them"));
+    setEmptyHint(m_views, tr("The photographs of the chosen landmark are shown here."));
     m_viewsTitle->setText(tr("&Views:"));
     m_tabs->setTabText(0, tr("Landmark"));
     m_tabs->setTabText(1, tr("Report"));

@@ -58,13 +58,14 @@ private:
     QWidget* buildReport();
     void showChosen();
     void fillViews();
+    QStringList foundWords() const;
     void refreshReport();
     void retranslate();
 
     LibraryModel m_model;
     ConfusionModel m_confusion;
     QSplitter* m_halves;
-    QLabel *m_title, *m_empty, *m_detailTitle, *m_health, *m_report, *m_viewsTitle;
+    QLabel *m_title, *m_detailTitle, *m_health, *m_report, *m_viewsTitle;
     QTableView *m_table, *m_matrix;
     QListWidget* m_views;
     QTabWidget* m_tabs;

@@ -3,8 +3,10 @@
 #include "core/base/file.h"
 #include "ui/convert/convert.h"
 
+#include <QCoreApplication>
 #include <QCryptographicHash>
 #include <QDir>
+#include <QFileInfo>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -17,6 +19,7 @@ namespace farol::ui {
 namespace {
 
 const QString kDraft = QStringLiteral("draft.json");
+constexpr int kMostPrograms = 9;
 
 QString pictureName(const std::string& bytes) {
     const QByteArrayView view(bytes.data(), static_cast<qsizetype>(bytes.size()));
@@ -58,6 +61,27 @@ double sizeFrom(const QJsonValue& value) {
 }
 
 } // namespace
+
+/// The first that nobody uses and that holds something; else the first that nobody uses.
+DraftStore::DraftStore(const QString& folder) : m_folder(folder) {
+    QDir().mkpath(QFileInfo(folder).absolutePath());
+    for (int i = 1; i <= kMostPrograms; ++i) {
+        const QString name = i == 1 ? folder : QStringLiteral("%1-%2").arg(folder).arg(i);
+        auto lock = std::make_unique<QLockFile>(name + QStringLiteral(".lock"));
+        lock->setStaleLockTime(0); // one that has crashed is known by its process
+        qint64 holder = 0;
+        QString host, program;
+        const bool mine =
+            lock->tryLock(0) || lock->error() != QLockFile::LockFailedError ||
+            (lock->getLockInfo(&holder, &host, &program) && holder == QCoreApplication::applicationPid());
+        if (!mine) continue;
+        const bool holds = QFile::exists(QDir(name).filePath(kDraft));
+        if (m_lock && !holds) continue;
+        m_folder = name;
+        m_lock = std::move(lock);
+        if (holds) return;
+    }
+}
 
 Result<void> DraftStore::save(const TeachDraft& draft) const {
     const QDir folder(m_folder);

@@ -6,8 +6,10 @@
 #include "core/base/geometry.h"
 #include "core/base/kind.h"
 
+#include <QLockFile>
 #include <QString>
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,10 +33,12 @@ struct TeachDraft {
     bool worthKeeping() const { return !name.isEmpty() || !views.empty(); }
 };
 
-/// One draft in a folder of its own: draft.json and the photographs.
+/// One draft in a folder of its own: draft.json and the photographs. A second program that runs at the same
+/// time has another folder, so that they do not overwrite each other's; what was left there by a crash is
+/// found again.
 class DraftStore {
 public:
-    explicit DraftStore(QString folder) : m_folder(std::move(folder)) {}
+    explicit DraftStore(const QString& folder);
 
     Result<void> save(const TeachDraft& draft) const;
     /// Empty where there is none. A photograph that is missing or damaged is left out.
@@ -43,6 +47,7 @@ public:
 
 private:
     QString m_folder;
+    std::unique_ptr<QLockFile> m_lock; ///< held while this program runs
 };
 
 } // namespace farol::ui

@@ -34,6 +34,7 @@ public:
     QPushButton& back() { return *m_back; }
     QPushButton& forward() { return *m_forward; }
     QPushButton& place() { return *m_place; }
+    QPushButton& giveUp() { return *m_giveUp; }
     QString why() const; ///< one cannot go on
 
 Q_SIGNALS:

@@ -35,6 +35,7 @@ namespace {
 
 const QString kFailure = QStringLiteral("failure");
 const QString kUnsaved = QStringLiteral("unsaved");
+const QString kOutside = QStringLiteral("outside");
 const QString kRefused = QStringLiteral("refused");
 const QString kUnfinished = QStringLiteral("unfinished");
 
@@ -73,6 +74,7 @@ void TrainingPage::build() {
     auto* content = new QVBoxLayout;
     content->setContentsMargins(8, 6, 8, 4);
     content->addWidget(m_stack, 1);
+    content->addSpacing(2);
     content->addWidget(m_state);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -86,6 +88,7 @@ void TrainingPage::connectDocument() {
     connect(&m_document, &LibraryDocument::opened, this, [this] {
         m_banners->hide(kFailure);
         m_banners->hide(kUnsaved);
+        m_banners->hide(kOutside);
         m_settings.addRecent(RecentKind::Library, m_document.path());
         m_panel->setLibrary(m_document.library());
         refresh();
@@ -119,10 +122,29 @@ void TrainingPage::connectDocument() {
                                    tr("Save el&sewhere…"), [this] { saveAs(); }, false});
     });
     connect(&m_document, &LibraryDocument::overtaken, this, [this] {
-        m_banners->show(kUnsaved, {BannerKind::Problem,
-                                   tr("Not saved: another program has changed %1 meanwhile.")
-                                       .arg(QFileInfo(m_document.path()).fileName()),
-                                   tr("Save el&sewhere…"), [this] { saveAs(); }, false});
+        m_banners->hide(kOutside);
+        m_banners->show(kUnsaved,
+                        {BannerKind::Problem,
+                         tr("Not saved: another program has changed the same landmarks in %1. Save yours "
+                            "under another name; what the other program wrote stays.")
+                             .arg(QFileInfo(m_document.path()).fileName()),
+                         tr("Save el&sewhere…"), [this] { saveAs(); }, false});
+    });
+    connect(&m_document, &LibraryDocument::joined, this, [this] {
+        m_banners->show(kOutside,
+                        {BannerKind::Note,
+                         tr("Another program has changed %1 meanwhile: its changes and yours are both saved. "
+                            "Earlier steps can no longer be undone.")
+                             .arg(QFileInfo(m_document.path()).fileName()),
+                         {},
+                         {},
+                         true});
+    });
+    connect(&m_document, &LibraryDocument::changedOutside, this, [this] {
+        m_banners->show(kOutside,
+                        {BannerKind::Note,
+                         tr("Another program has changed %1.").arg(QFileInfo(m_document.path()).fileName()),
+                         tr("&Load it again"), [this] { m_document.open(m_document.path()); }, true});
     });
     connect(&m_document, &LibraryDocument::refused, this, [this](const QString& message) {
         m_saving = TemplateId();

@@ -42,7 +42,8 @@ void TrainingPage::merge() {
     for (std::size_t i = 0; i < templates.size(); ++i) {
         if (i == into || (templates[i].kind == Kind::Place) != (templates[into].kind == Kind::Place))
             continue;
-        names << tr("%1 (%2)").arg(nameOf(templates[i]), toQString(templates[i].id.value));
+        const QString id = toQString(templates[i].id.value);
+        names << (nameOf(templates[i]) == id ? id : tr("%1 (%2)").arg(nameOf(templates[i]), id));
         rows.push_back(i);
     }
     if (names.isEmpty()) return;

@@ -37,9 +37,9 @@ QString TrainingWords::advice(Advice advice) {
     case Advice::Squarely:
         return tr("Next: straight from the front, about 2 metres away.");
     case Advice::FromLeft:
-        return tr("Next: from the left, so that you see it aslant.");
+        return tr("Next: from the left, at an angle.");
     case Advice::FromRight:
-        return tr("Next: from the right, so that you see it aslant.");
+        return tr("Next: from the right, at an angle.");
     case Advice::FromFarther:
         return tr("Next: from farther away, about twice as far.");
     case Advice::AnotherSpot:
@@ -53,7 +53,7 @@ QString TrainingWords::advice(Advice advice) {
 QStringList TrainingWords::health(const recognition::TemplateCheck& check, Kind kind) {
     QStringList lines;
     if (check.tested == 0)
-        lines << tr("There is one view only: nothing to look for it with. Add another.");
+        lines << tr("There is only one view: add another, so that it can be tried.");
     else
         lines << tr("Found in %1 of its %2 views by the others.").arg(check.found).arg(check.tested);
     const QLocale locale;
@@ -66,8 +66,9 @@ QStringList TrainingWords::health(const recognition::TemplateCheck& check, Kind 
                                              .arg(locale.toString(check.smallestPx, 'f', 0));
         lines << text;
         lines << (check.widestDegrees > 0.0
-                      ? tr("Found up to %1 degrees aside.").arg(locale.toString(check.widestDegrees, 'f', 0))
-                      : tr("Not found from aside. Add views from the left and the right."));
+                      ? tr("Found at angles of up to %1 degrees.")
+                            .arg(locale.toString(check.widestDegrees, 'f', 0))
+                      : tr("Not found at an angle. Add views from the left and the right."));
     } else if (check.shown == 0 && kind != Kind::Place) {
         lines << tr("No view is straight from the front: add one, to learn from how far it is found.");
     } else if (check.shown > 0) {

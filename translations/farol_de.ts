@@ -1147,7 +1147,7 @@ Open a camera, a video or a folder of pictures, then press Play.</source>
     </message>
     <message>
         <source>Where the level is</source>
-        <translation>Wo das Stockwerk steht</translation>
+        <translation>Wo die Ebene steht</translation>
     </message>
     <message>
         <source>File of other names</source>
@@ -4662,6 +4662,10 @@ Open one with Ctrl+O.</source>
     <message>
         <source>Type part of a name, room number or level, then choose</source>
         <translation>Tippen Sie einen Teil eines Namens, einer Raumnummer oder Ebene und wählen Sie</translation>
+    </message>
+    <message>
+        <source>Clear the line</source>
+        <translation>Zeile leeren</translation>
     </message>
 </context>
 <context>

@@ -4663,6 +4663,10 @@ Abra uno con Ctrl+O.</translation>
         <source>Type part of a name, room number or level, then choose</source>
         <translation>Escriba parte de un nombre, número de sala o planta y elija</translation>
     </message>
+    <message>
+        <source>Clear the line</source>
+        <translation>Borrar la línea</translation>
+    </message>
 </context>
 <context>
     <name>farol::ui::PlanLegend</name>

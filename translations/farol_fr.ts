@@ -1147,7 +1147,7 @@ Ouvrez une caméra, une vidéo ou un dossier d&apos;images, puis appuyez sur Lec
     </message>
     <message>
         <source>Where the level is</source>
-        <translation>Où est l&apos;étage</translation>
+        <translation>Où est le niveau</translation>
     </message>
     <message>
         <source>File of other names</source>
@@ -4662,6 +4662,10 @@ Ouvrez-en une avec Ctrl+O.</translation>
     <message>
         <source>Type part of a name, room number or level, then choose</source>
         <translation>Tapez une partie d&apos;un nom, d&apos;un numéro de salle ou d&apos;un niveau, puis choisissez</translation>
+    </message>
+    <message>
+        <source>Clear the line</source>
+        <translation>Effacer la ligne</translation>
     </message>
 </context>
 <context>

@@ -4663,6 +4663,10 @@ Abra um com Ctrl+O.</translation>
         <source>Type part of a name, room number or level, then choose</source>
         <translation>Escreva parte de um nome, número de sala ou piso, e escolha</translation>
     </message>
+    <message>
+        <source>Clear the line</source>
+        <translation>Limpar a linha</translation>
+    </message>
 </context>
 <context>
     <name>farol::ui::PlanLegend</name>

@@ -1,5 +1,6 @@
 #include "ui/curation/feature_panel.h"
 
+#include "ui/parts/place_chooser.h"
 #include "ui/parts/tables.h"
 
 #include <QCheckBox>
@@ -167,6 +168,7 @@ void FeaturePanel::retranslate() {
     m_sort->setItemText(2, tr("Landmarks"));
     m_sort->setAccessibleName(tr("What the table lists"));
     m_sort->setToolTip(tr("What the table lists"));
+    PlaceChooser::nameClearButton(*m_search);
     m_search->setPlaceholderText(tr("Search the table"));
     m_search->setAccessibleName(tr("Search the table"));
     m_search->setToolTip(tr("Rows that hold every word typed (Ctrl+F)"));

@@ -9,6 +9,7 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
+#include <QToolButton>
 
 namespace farol::ui {
 
@@ -119,7 +120,13 @@ bool PlaceChooser::eventFilter(QObject* watched, QEvent* event) {
     return QWidget::eventFilter(watched, event);
 }
 
+void PlaceChooser::nameClearButton(const QLineEdit& edit) {
+    for (QToolButton* button : edit.findChildren<QToolButton*>())
+        button->setAccessibleName(tr("Clear the line"));
+}
+
 void PlaceChooser::retranslate() {
+    nameClearButton(*m_edit);
     switch (m_purpose) {
     case Purpose::Destination:
         m_label->setText(tr("&Go to:"));

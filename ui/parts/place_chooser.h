@@ -28,6 +28,8 @@ public:
     QLineEdit& edit() { return *m_edit; }
     QLabel& label() { return *m_label; }
     QString hint() const;
+    /// Screen readers are told of the cross in a line that can be cleared; Qt gives it no name.
+    static void nameClearButton(const QLineEdit& edit);
 
 Q_SIGNALS:
     void placeChosen(const std::optional<farol::RegionId>& region);

@@ -80,7 +80,7 @@ Result<void> VisualMotionOptions::check() const {
     return {};
 }
 
-VisualMotion::VisualMotion(VisualMotionOptions options) : m_options(options) {}
+VisualMotion::VisualMotion(VisualMotionOptions options) : m_options(options), m_compass(options.whole) {}
 
 void VisualMotion::reset() {
     m_before.release();
@@ -114,7 +114,7 @@ Motion VisualMotion::observe(const cv::Mat& image, double time) {
     Motion motion;
     if (follows) {
         motion = measure(grey, seconds);
-        if (!motion.turn) {
+        if (!motion.speed) {
             m_speeds.clear();
             m_walking.reset();
         }
@@ -141,7 +141,7 @@ std::vector<PointFlow> VisualMotion::follow(const cv::Mat& grey, cv::Point2f gue
                              flags);
     cv::calcOpticalFlowPyrLK(grey, m_before, there, back, foundBack, errors, window, kPyramidLevels, stop,
                              flags);
-    double focal = 0.5 * grey.cols / std::tan(0.5 * m_options.horizontalViewDegrees * CV_PI / 180.0);
+    double focal = focalPx(grey);
     cv::Point2d centre(0.5 * (grey.cols - 1), 0.5 * (grey.rows - 1));
     std::vector<PointFlow> flows;
     for (std::size_t i = 0; i < m_points.size(); ++i) {
@@ -154,31 +154,66 @@ std::vector<PointFlow> VisualMotion::follow(const cv::Mat& grey, cv::Point2f gue
     return flows;
 }
 
+double VisualMotion::focalPx(const cv::Mat& grey) const {
+    return 0.5 * grey.cols / std::tan(0.5 * m_options.horizontalViewDegrees * CV_PI / 180.0);
+}
+
 Motion VisualMotion::measure(const cv::Mat& grey, double seconds) {
-    std::vector<PointFlow> flows = follow(grey, {});
-    // A quick turn moves everything farther than points are looked for: how far, the whole picture tells.
-    if (flows.size() * 2 < m_points.size()) {
-        if (auto shift = wholeShift(m_before, grey)) flows = follow(grey, *shift);
-    }
-    // Most points lost: the view was covered or smeared; the few that are left fit anything.
-    if (flows.size() * 2 < m_points.size()) return {};
-    std::optional<FlowFit> fit = fitFlow(flows, m_options.flow);
-    if (!fit) return {};
-    double turn = -fit->rotation[1]; // the camera's y axis points down: positive is to the right
+    std::vector<PointFlow> flows = followed(grey);
+    Motion motion = byPoints(flows, seconds);
+    if (!motion.turn) motion = byWhole(grey, flows.size() >= enough());
     double limit = m_options.maxTurnDegreesPerSecond * CV_PI / 180.0 * seconds;
-    if (std::abs(turn) > limit) return {};
-    Motion motion;
-    motion.turn = Radians{turn};
-    m_speeds.push_back(std::max(0.0, fit->advance / seconds));
+    if (motion.turn && std::abs(motion.turn->value) > limit) return {};
+    return motion;
+}
+
+void VisualMotion::keepSpeed(Motion& motion, double speed) {
+    m_speeds.push_back(std::max(0.0, speed));
     if (m_speeds.size() > kSpeedsKept) m_speeds.pop_front();
-    double speed = median({m_speeds.begin(), m_speeds.end()});
-    if (speed < m_options.standingBelow) m_walking = false;
-    if (speed > m_options.walkingAbove) m_walking = true;
-    motion.speed = m_walking.value_or(true) ? speed : 0.0;
+    double usual = median({m_speeds.begin(), m_speeds.end()});
+    if (usual < m_options.standingBelow) m_walking = false;
+    if (usual > m_options.walkingAbove) m_walking = true;
+    motion.speed = m_walking.value_or(true) ? usual : 0.0;
     motion.walking = m_walking;
+}
+
+/// With most points lost the view was covered or smeared; the few that are left fit anything.
+std::size_t VisualMotion::enough() const {
+    return std::max((m_points.size() + 1) / 2, static_cast<std::size_t>(m_options.flow.minPoints));
+}
+
+std::vector<PointFlow> VisualMotion::followed(const cv::Mat& grey) const {
+    std::vector<PointFlow> flows = follow(grey, {});
+    if (flows.size() >= enough()) return flows;
+    // A quick turn moves everything farther than points are looked for: how far, the whole picture tells.
+    if (auto shift = wholeShift(m_before, grey)) return follow(grey, *shift);
+    return flows;
+}
+
+Motion VisualMotion::byPoints(const std::vector<PointFlow>& flows, double seconds) {
+    Motion motion;
+    if (flows.size() < enough()) return motion;
+    std::optional<FlowFit> fit = fitFlow(flows, m_options.flow);
+    if (!fit) return motion;
+    motion.turn = Radians{-fit->rotation[1]}; // the camera's y axis points down: positive is to the right
+    keepSpeed(motion, fit->advance / seconds);
     m_pace.push_back({m_time + seconds, fit->rotation[0] / seconds});
     while (m_pace.front().time < m_time + seconds - kPaceSeconds) m_pace.pop_front();
     if (m_walking.value_or(false)) motion.stepsPerSecond = stepRhythm();
+    return motion;
+}
+
+/// `disagree`: there are points enough, and they do not move alike. Where people cross the view, the whole is
+/// believed only if its parts say the same.
+Motion VisualMotion::byWhole(const cv::Mat& grey, bool disagree) {
+    constexpr int kEnoughParts = 3;
+    std::optional<WholeTurn> whole = m_compass.turn(m_before, grey, focalPx(grey));
+    if (!whole) return {};
+    bool agrees = whole->parts >= kEnoughParts && whole->spread < m_options.onTheSpotDegrees * CV_PI / 180.0;
+    if (disagree && !agrees) return {};
+    Motion motion;
+    motion.turn = Radians{whole->yaw};
+    if (agrees) keepSpeed(motion, 0.0);
     return motion;
 }
 

@@ -1,11 +1,13 @@
 #pragma once
 // Visual gyroscope and pace: what the picture's own flow tells of the user's turning and walking, from sparse
-// points followed between two frames. It says nothing rather than guess: covered, dark or smeared pictures,
-// gaps between frames, views full of people who move.
+// points followed between two frames; where these are lost, the turn alone from the pictures as wholes. It
+// says nothing rather than guess: covered or dark pictures, gaps between frames, views full of people who
+// move.
 
 #include "core/base/error.h"
 #include "core/recognition/detection.h"
 #include "core/recognition/flow_model.h"
+#include "core/recognition/whole_turn.h"
 
 #include <opencv2/core.hpp>
 
@@ -27,6 +29,10 @@ struct VisualMotionOptions {
     /// Between these speeds the state stays what it was, so that it does not flicker.
     double standingBelow = 0.12, walkingAbove = 0.25;
     FlowModelOptions flow;
+    WholeTurnOptions whole;
+    /// A turn as a whole whose parts agree this well is one on the spot: who walks sees near things pass by
+    /// quicker than far ones.
+    double onTheSpotDegrees = 0.24;
 
     Result<void> check() const;
 };
@@ -47,11 +53,18 @@ private:
     };
 
     Motion measure(const cv::Mat& grey, double seconds);
+    std::size_t enough() const;
+    std::vector<PointFlow> followed(const cv::Mat& grey) const;
+    Motion byPoints(const std::vector<PointFlow>& flows, double seconds);
+    Motion byWhole(const cv::Mat& grey, bool disagree);
+    void keepSpeed(Motion& motion, double speed);
+    double focalPx(const cv::Mat& grey) const;
     std::vector<PointFlow> follow(const cv::Mat& grey, cv::Point2f guess) const;
     void remember(const cv::Mat& grey, double time);
     std::optional<double> stepRhythm() const;
 
     VisualMotionOptions m_options;
+    PictureCompass m_compass;
     cv::Mat m_before;
     double m_time = 0.0;
     std::vector<cv::Point2f> m_points; ///< in m_before, to be followed into the next frame

@@ -221,6 +221,10 @@ void CueStep::fillManoeuvre(Cue& cue, const Manoeuvre& manoeuvre,
         cue.intoName = building::sayableName(*into, m_options.language);
         cue.intoKind = into->kind;
     }
+    // What to do in a lift is heard inside it.
+    if (cue.next && cue.next->kind == ManoeuvreKind::Elevator &&
+        cue.intoKind == building::RegionKind::Elevator)
+        cue.next.reset();
     if (manoeuvre.targetLevel != manoeuvre.level || changesLevel(manoeuvre.kind)) {
         cue.levelName = levelName(manoeuvre.targetLevel, manoeuvre.kind == ManoeuvreKind::Elevator);
     }

@@ -55,6 +55,7 @@ void MotionLog::add(double time, const recognition::Motion& motion) {
     if (motion.turn && std::abs(motion.turn->value) <= kMostTurns * 2.0 * kPi) {
         m_turnDeg += toDegrees(*motion.turn);
         m_turnRate = seconds > 0.0 ? toDegrees(*motion.turn) / seconds : 0.0;
+        m_shown += std::min(seconds, m_interval);
     } else {
         // Whoever was turning goes on for a moment: nearer to the truth than a sudden stop.
         double unseen = std::min(seconds, m_interval), stays = std::exp(-unseen / kTurnStaysS);
@@ -71,7 +72,10 @@ void MotionLog::add(double time, const recognition::Motion& motion) {
 MotionSpan MotionLog::take(double seconds) {
     MotionSpan span;
     span.seconds = seconds;
+    span.shownSeconds = blind() ? 0.0 : seconds; // of a camera that never told motion nothing is known
     if (!known()) return span;
+    span.shownSeconds = m_shown;
+    m_shown = 0.0;
     span.measured = true;
     if (m_ready) {
         // Steps taken between two lines ran ahead on the last pace: made good here.

@@ -35,6 +35,7 @@ private:
     double m_turnDeg = 0.0;
     double m_turnRate = 0.0; ///< degrees a second, last measured; fading while nothing is
     double m_unseen = 0.0;   ///< seconds whose turn is not known
+    double m_shown = 0.0;    ///< seconds whose turn is known, since the last step
     double m_interval = 1.0; ///< usual time from line to line
     double m_ahead = 0.0;    ///< of `pace` seconds handed out before they were measured
     double m_measured = 0.0; ///< pace times seconds since the last step

@@ -381,6 +381,7 @@ double WalkerCloud::advance(const MotionSpan& motion, const SensorModel& sensors
     float starts = 1.0F - std::exp(-static_cast<float>(walking.goRate) * seconds);
     float stops = 1.0F - std::exp(-static_cast<float>(walking.stopRate) * seconds);
     double before = 0.0, after = 0.0;
+    auto missing = static_cast<float>(missTrust * motion.shownSeconds);
     for (Walker& walker : m_walkers) {
         before += double(walker.weight);
         if (!walking.free) changeMind(walker, motion.seconds);
@@ -407,9 +408,9 @@ double WalkerCloud::advance(const MotionSpan& motion, const SensorModel& sensors
         float drift = 0.02F * std::sqrt(seconds) * m_random.normal();
         walker.speed = std::clamp(walker.speed + drift, static_cast<float>(walking.slowest),
                                   static_cast<float>(walking.hurrySpeed));
-        if (missTrust > 0.0 && walker.climbTo < 0) {
+        if (missing > 0.0F && walker.climbTo < 0) {
             float missed = m_rates.rateAt(sensors, walker.region, walker.at, gazeOf(walker));
-            walker.weight *= quickExp(-static_cast<float>(missTrust) * missed * seconds);
+            walker.weight *= quickExp(-missing * missed);
         }
     }
     return before > 0.0 && after > 0.0 ? after / before : 1.0;

@@ -37,6 +37,9 @@ struct MotionSpan {
     double pace = 1.0;          ///< times the walker's own speed
     float turnDeg = 0.0F;       ///< of the camera
     double unseenSeconds = 0.0; ///< of which the turn is not known
+    /// In which the picture showed something. Before a bare wall or covered it tells no motion either: then
+    /// nothing could be seen, and nothing is missed.
+    double shownSeconds = 0.0;
 };
 
 class WalkerCloud {

@@ -259,8 +259,9 @@ void BayesLocaliser::weigh(const Observation& seen) {
     for (Walker& walker : m_cloud.walkers()) {
         Cause cause;
         float ratio = m_sensors.ratio(look, walker.region, walker.at, m_cloud.gazeOf(walker), &cause);
-        // On stairs and in lifts next to nothing is recognised.
-        if (walker.climbTo >= 0) ratio *= static_cast<float>(m_options.climbSees);
+        // On stairs and in lifts next to nothing is recognised, but for the steps themselves.
+        if (walker.climbTo >= 0 && look.kind != Kind::Stairs)
+            ratio *= static_cast<float>(m_options.climbSees);
         if (ratio <= 0.0F) continue;
         walker.weight *= quickExp(power * std::log(1.0F + ratio));
         if (look.hasBearing && cause.part > kCertainly * (1.0F + ratio)) m_cloud.face(walker, cause);

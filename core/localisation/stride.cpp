@@ -22,6 +22,8 @@ constexpr float kMostYawVariance = 900.0F;
 /// Doors, stairs and lifts are taken from so near.
 constexpr float kAtHandM = 1.3F;
 constexpr float kClimbFromM = 1.7F; // stairs are wide, and so is what is in front of a lift
+/// Of stairs and lifts that were told, which are sought: steps are measured to no better.
+constexpr float kSoughtFromM = 3.0F;
 constexpr float kThroughDeg = 30.0F;
 
 Spot unit(float degrees) {
@@ -125,10 +127,11 @@ void WalkerCloud::mayTake(Walker& walker, bool moving, float seconds) {
     const WalkingOptions& walking = m_options.walking;
     for (std::uint32_t index : m_map->nodesOf(walker.region)) {
         const WalkingNode& node = m_map->nodes()[index];
-        float reach = node.changesLevel ? kClimbFromM : kAtHandM;
-        if (node.across < 0 || gapBetween(walker.at, node.at) > reach) continue;
-        bool asked = m_map->hasGoal() && m_map->leadsOn(index);
-        if (m_told) asked = m_map->fits(index, *m_told);
+        float gap = gapBetween(walker.at, node.at);
+        if (node.across < 0 || gap > kSoughtFromM) continue;
+        bool fits = m_told && m_map->fits(index, *m_told);
+        if (gap > (!node.changesLevel ? kAtHandM : fits ? kSoughtFromM : kClimbFromM)) continue;
+        bool asked = m_told ? fits : m_map->hasGoal() && m_map->leadsOn(index);
         double door =
             asked ? walking.doorRate * (m_told ? double(doorShare(index)) : 1.0) : walking.doorUnasked;
         auto rate = static_cast<float>(node.changesLevel ? climbRate(index) : door);

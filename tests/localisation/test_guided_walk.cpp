@@ -61,6 +61,14 @@ public:
         m_fix = m_localiser->update(m_time, std::vector{seen}, {});
         return *this;
     }
+    /// So near a bare wall that the picture shows nothing, motion neither.
+    Blind& faceAWall(double seconds) {
+        for (int i = 0; i < static_cast<int>(seconds / kFrameS); ++i) {
+            m_time += kFrameS;
+            m_fix = m_localiser->update(m_time, {}, {});
+        }
+        return *this;
+    }
     Blind& told(building::AccessKind kind, double targetLevel = 0.0) {
         m_localiser->told({{{kind, 0.0, targetLevel}}});
         return *this;
@@ -189,6 +197,43 @@ TEST(GuidedWalk, NobodyClimbsWhoWasToldOfADoor) {
     stairs.goal("L").told(building::AccessKind::Stairs, 1.0).walk(10.0);
     EXPECT_LT(door.share("T") + door.share("L"), 0.15);
     EXPECT_GT(stairs.share("T") + stairs.share("L"), 0.5);
+}
+
+TEST(GuidedWalk, WhoWasToldOfStairsFindsThemAlsoWhereStepsWereMeasuredShort) {
+    // As the picture has it the user stops a good two metres before the stairs, and stands.
+    auto standing = [](building::AccessKind kind, double level) {
+        Blind person(stairwell(), "S");
+        person.goal("L").told(kind, level).walk(0.5).stand(25.0);
+        return person.share("T") + person.share("L");
+    };
+    EXPECT_GT(standing(building::AccessKind::Stairs, 1.0), 0.5);
+    EXPECT_LT(standing(building::AccessKind::Door, 0.0), 0.15);
+}
+
+TEST(GuidedWalk, BeforeABareWallNothingIsMissed) {
+    // A hall full of posters and an empty one: whoever sees no poster for long is in the empty one, unless
+    // there was nothing to be seen at all.
+    AsciiMap map;
+    map.floor(R"(
++-----------+-----------+
+|A  p   q   |B          |
+|r          /           |
+|   s   t   |           |
++-----------+-----------+
+)");
+    int number = 0;
+    for (char each : {'p', 'q', 'r', 's', 't'})
+        map.landmark(each, {.kind = Kind::Poster, .templateId = "poster-" + std::to_string(number++)});
+    auto building = map.build();
+    Blind looking(building, ""), close(building, "");
+    looking.walk(1.0);
+    close.walk(1.0);
+    for (int i = 0; i < 6; ++i) {
+        looking.turn(90.0).stand(1.4);
+        close.faceAWall(2.4).stand(0.2);
+    }
+    EXPECT_LT(looking.share("A"), 0.25);
+    EXPECT_GT(close.share("A"), looking.share("A") + 0.2);
 }
 
 TEST(GuidedWalk, WhoWasToldOfADoorMayHaveTakenAnother) {

@@ -23,6 +23,7 @@
 #include <QInputDialog>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QMessageBox>
 #include <QMimeData>
 #include <QProcess>
 #include <QPushButton>
@@ -58,6 +59,7 @@ private Q_SLOTS:
     void aFileChangedByAnotherProgramIsNotOverwritten();
     void twoProgramsAtOneLibrary();
     void twoProgramsAtOneLandmark();
+    void givingUpIsNotASlip();
     void whatAnotherProgramMakesIsLoadedAgain();
     void unfinishedWorkOfTwoPrograms();
     void whatCannotBeWrittenIsTold();
@@ -463,6 +465,20 @@ void TrainingTest::twoProgramsAtOneLandmark() {
     QTRY_VERIFY_WITH_TIMEOUT(!m_page->document().unsaved() && m_page->document().settled(), kPatience);
     QCOMPARE(recognition::loadLibrary(toUtf8(elsewhere))->templates[0].name, std::string("Mine"));
     QCOMPARE(recognition::loadLibrary(toUtf8(m_library))->templates[0].name, std::string("Theirs"));
+}
+
+/// Whoever only presses Enter keeps what was taught.
+void TrainingTest::givingUpIsNotASlip() {
+    openLibrary();
+    m_page->teach();
+    type(m_page->wizard().what().name(), QStringLiteral("Notice"));
+    press(m_page->wizard().giveUp());
+    auto* ask = m_page->findChild<QMessageBox*>();
+    QVERIFY(ask && ask->defaultButton());
+    QCOMPARE(ask->buttonRole(ask->defaultButton()), QMessageBox::RejectRole);
+    QTest::keyClick(ask, Qt::Key_Return);
+    QVERIFY(m_page->teaching());
+    QVERIFY(m_page->session().unfinished());
 }
 
 /// What another program makes is told, and shown on demand.

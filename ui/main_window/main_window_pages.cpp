@@ -146,7 +146,8 @@ bool MainWindow::mayLeave() {
                         QMessageBox::NoButton, this);
     box->setAttribute(Qt::WA_DeleteOnClose);
     auto* leave = box->addButton(tr("&Leave all the same"), QMessageBox::DestructiveRole);
-    box->addButton(tr("&Stay"), QMessageBox::RejectRole);
+    QPushButton* stay = box->addButton(tr("&Stay"), QMessageBox::RejectRole);
+    box->setDefaultButton(stay); // a slip on Enter loses nothing
     connect(box, &QMessageBox::buttonClicked, this, [this, leave](QAbstractButton* button) {
         if (button != leave) return;
         m_leaving = true;

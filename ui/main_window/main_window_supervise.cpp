@@ -14,6 +14,7 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QInputDialog>
+#include <QLineEdit>
 #include <QPixmap>
 #include <QSaveFile>
 
@@ -94,11 +95,11 @@ void MainWindow::connectSupervision() {
         ask->setWindowTitle(tr("Say this"));
         ask->setLabelText(tr("Sentence that is spoken to the user:"));
         ask->setOkButtonText(tr("&Say it"));
-        ask->setMinimumWidth(480); // room for a sentence
         connect(ask, &QInputDialog::textValueSelected, this, [this](const QString& text) {
             if (!text.trimmed().isEmpty()) m_speech.say(text.trimmed());
         });
         ask->open();
+        for (QLineEdit* line : ask->findChildren<QLineEdit*>()) line->setMinimumWidth(440); // a sentence
     });
     connect(a.revote, &QAction::triggered, this, [this] {
         QList<std::pair<QString, QString>> names;

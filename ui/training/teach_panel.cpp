@@ -67,7 +67,8 @@ TeachPanel::TeachPanel(TeachSession& session, PictureReel::OpenSource open, QWid
                                     QMessageBox::NoButton, this);
         box->setAttribute(Qt::WA_DeleteOnClose);
         auto* yes = box->addButton(tr("&Give it up"), QMessageBox::DestructiveRole);
-        box->addButton(tr("&Keep it"), QMessageBox::RejectRole);
+        QPushButton* keep = box->addButton(tr("&Keep it"), QMessageBox::RejectRole);
+        box->setDefaultButton(keep); // a slip on Enter loses nothing
         connect(box, &QMessageBox::buttonClicked, this, [this, yes](QAbstractButton* button) {
             if (button == yes) Q_EMIT givenUp();
         });

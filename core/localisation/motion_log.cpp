@@ -42,13 +42,13 @@ double MotionLog::paceOf(double speed) {
 }
 
 void MotionLog::add(double time, const recognition::Motion& motion) {
-    constexpr double kMissedLine = 1.6, kFollows = 0.1;
+    constexpr double kMissedLine = 1.6, kFollows = 0.1, kFollowsDown = 0.4;
     double seconds = m_last ? std::max(0.0, time - *m_last) : m_interval;
     bool missed = seconds > kMissedLine * m_interval;
     if (missed)
         m_unseen += seconds - m_interval;
     else
-        m_interval += kFollows * (seconds - m_interval);
+        m_interval += (seconds < m_interval ? kFollowsDown : kFollows) * (seconds - m_interval);
     m_last = time;
     m_now = time;
     // Nobody turns round three times between two pictures: such a number is no measurement.
@@ -74,7 +74,9 @@ MotionSpan MotionLog::take(double seconds) {
     span.seconds = seconds;
     span.shownSeconds = blind() ? 0.0 : seconds; // of a camera that never told motion nothing is known
     if (!known()) return span;
-    span.shownSeconds = m_shown;
+    // Lines that come seldom are not missing yet.
+    constexpr double kOften = 0.4;
+    if (m_interval < kOften) span.shownSeconds = m_shown;
     m_shown = 0.0;
     span.measured = true;
     if (m_ready) {

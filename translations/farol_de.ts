@@ -3425,7 +3425,7 @@ Open one with Ctrl+O.</source>
     </message>
     <message>
         <source>First, probably</source>
-        <translation>Wahrscheinlich zuerst</translation>
+        <translation>Wahrscheinlich als Erstes</translation>
     </message>
     <message>
         <source>Start slowly: I will tell you if it is the wrong way.</source>
@@ -3442,10 +3442,10 @@ Open one with Ctrl+O.</source>
     </message>
     <message>
         <source>Soon, probably</source>
-        <translation>Wahrscheinlich bald</translation>
+        <translation>Wahrscheinlich schon bald</translation>
     </message>
     <message>
-        <source>Keep moving forward. You are probably on the right way.</source>
+        <source>Keep moving forward. You are probably going the right way.</source>
         <translation>Gehen Sie weiter geradeaus. Sie sind wahrscheinlich auf dem richtigen Weg.</translation>
     </message>
     <message>
@@ -3529,6 +3529,10 @@ Open one with Ctrl+O.</source>
         <translation>Von hier aus</translation>
     </message>
     <message>
+        <source>From here, probably</source>
+        <translation>Wahrscheinlich von hier aus</translation>
+    </message>
+    <message>
         <source>I do not know yet where you are.</source>
         <translation>Ich weiß noch nicht, wo Sie sind.</translation>
     </message>
@@ -3608,8 +3612,8 @@ Open one with Ctrl+O.</source>
         <translation>Ich kenne nichts in Ihrer Nähe.</translation>
     </message>
     <message>
-        <source>The directions are those of your way.</source>
-        <translation>Die Richtungen gelten entlang Ihres Weges.</translation>
+        <source>The directions are as you face along your way.</source>
+        <translation>Die Richtungen gelten mit Blick entlang Ihres Weges.</translation>
     </message>
     <message>
         <source>The directions are those of the map.</source>
@@ -3761,22 +3765,6 @@ Open one with Ctrl+O.</source>
     <message>
         <source>a ramp</source>
         <translation>eine Rampe</translation>
-    </message>
-    <message>
-        <source>The door is %1.</source>
-        <translation>Die Tür ist %1.</translation>
-    </message>
-    <message>
-        <source>The door is probably %1.</source>
-        <translation>Die Tür ist wahrscheinlich %1.</translation>
-    </message>
-    <message>
-        <source>The opening is %1.</source>
-        <translation>Die Öffnung ist %1.</translation>
-    </message>
-    <message>
-        <source>The opening is probably %1.</source>
-        <translation>Die Öffnung ist wahrscheinlich %1.</translation>
     </message>
     <message>
         <source>The stairs are %1.</source>

@@ -3445,7 +3445,7 @@ Abra uno con Ctrl+O.</translation>
         <translation>Pronto, probablemente</translation>
     </message>
     <message>
-        <source>Keep moving forward. You are probably on the right way.</source>
+        <source>Keep moving forward. You are probably going the right way.</source>
         <translation>Siga adelante. Probablemente va por el buen camino.</translation>
     </message>
     <message>
@@ -3529,6 +3529,10 @@ Abra uno con Ctrl+O.</translation>
         <translation>Desde aquí</translation>
     </message>
     <message>
+        <source>From here, probably</source>
+        <translation>Desde aquí, probablemente</translation>
+    </message>
+    <message>
         <source>I do not know yet where you are.</source>
         <translation>Aún no sé dónde está.</translation>
     </message>
@@ -3608,8 +3612,8 @@ Abra uno con Ctrl+O.</translation>
         <translation>No conozco nada cerca de usted.</translation>
     </message>
     <message>
-        <source>The directions are those of your way.</source>
-        <translation>Las direcciones son las de su camino.</translation>
+        <source>The directions are as you face along your way.</source>
+        <translation>Las direcciones son las de quien sigue su camino.</translation>
     </message>
     <message>
         <source>The directions are those of the map.</source>
@@ -3763,22 +3767,6 @@ Abra uno con Ctrl+O.</translation>
         <translation>una rampa</translation>
     </message>
     <message>
-        <source>The door is %1.</source>
-        <translation>La puerta está %1.</translation>
-    </message>
-    <message>
-        <source>The door is probably %1.</source>
-        <translation>La puerta está probablemente %1.</translation>
-    </message>
-    <message>
-        <source>The opening is %1.</source>
-        <translation>La abertura está %1.</translation>
-    </message>
-    <message>
-        <source>The opening is probably %1.</source>
-        <translation>La abertura está probablemente %1.</translation>
-    </message>
-    <message>
         <source>The stairs are %1.</source>
         <translation>Las escaleras están %1.</translation>
     </message>
@@ -3888,7 +3876,7 @@ Abra uno con Ctrl+O.</translation>
     </message>
     <message>
         <source>ahead</source>
-        <translation>que tiene delante</translation>
+        <translation>de enfrente</translation>
     </message>
     <message>
         <source>next</source>
@@ -3950,7 +3938,7 @@ Abra uno con Ctrl+O.</translation>
     <message>
         <source>%1, then %2</source>
         <extracomment>%1 &quot;go through the door&quot;, %2 &quot;turn left&quot;</extracomment>
-        <translation>%1, y luego %2</translation>
+        <translation>%1, luego %2</translation>
     </message>
     <message>
         <source>%1, %2</source>
@@ -4030,7 +4018,7 @@ Abra uno con Ctrl+O.</translation>
     </message>
     <message>
         <source>Then, straight away, %1.</source>
-        <translation>Después, enseguida, %1.</translation>
+        <translation>Enseguida, %1.</translation>
     </message>
     <message>
         <source>%1: your destination.</source>

@@ -3445,7 +3445,7 @@ Ouvrez-en une avec Ctrl+O.</translation>
         <translation>Bientôt, probablement</translation>
     </message>
     <message>
-        <source>Keep moving forward. You are probably on the right way.</source>
+        <source>Keep moving forward. You are probably going the right way.</source>
         <translation>Continuez d&apos;avancer. Vous êtes probablement sur le bon chemin.</translation>
     </message>
     <message>
@@ -3529,6 +3529,10 @@ Ouvrez-en une avec Ctrl+O.</translation>
         <translation>À partir d&apos;ici</translation>
     </message>
     <message>
+        <source>From here, probably</source>
+        <translation>À partir d'ici, probablement</translation>
+    </message>
+    <message>
         <source>I do not know yet where you are.</source>
         <translation>Je ne sais pas encore où vous êtes.</translation>
     </message>
@@ -3608,8 +3612,8 @@ Ouvrez-en une avec Ctrl+O.</translation>
         <translation>Je ne connais rien tout près.</translation>
     </message>
     <message>
-        <source>The directions are those of your way.</source>
-        <translation>Les directions sont celles de votre chemin.</translation>
+        <source>The directions are as you face along your way.</source>
+        <translation>Les directions sont celles de qui suit votre chemin.</translation>
     </message>
     <message>
         <source>The directions are those of the map.</source>
@@ -3761,22 +3765,6 @@ Ouvrez-en une avec Ctrl+O.</translation>
     <message>
         <source>a ramp</source>
         <translation>une rampe</translation>
-    </message>
-    <message>
-        <source>The door is %1.</source>
-        <translation>La porte est %1.</translation>
-    </message>
-    <message>
-        <source>The door is probably %1.</source>
-        <translation>La porte est probablement %1.</translation>
-    </message>
-    <message>
-        <source>The opening is %1.</source>
-        <translation>L&apos;ouverture est %1.</translation>
-    </message>
-    <message>
-        <source>The opening is probably %1.</source>
-        <translation>L&apos;ouverture est probablement %1.</translation>
     </message>
     <message>
         <source>The stairs are %1.</source>
@@ -4030,7 +4018,7 @@ Ouvrez-en une avec Ctrl+O.</translation>
     </message>
     <message>
         <source>Then, straight away, %1.</source>
-        <translation>Puis, tout de suite, %1.</translation>
+        <translation>Aussitôt après, %1.</translation>
     </message>
     <message>
         <source>%1: your destination.</source>

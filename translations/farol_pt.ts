@@ -3449,7 +3449,7 @@ Abra um com Ctrl+O.</translation>
         <translation>Em breve, provavelmente</translation>
     </message>
     <message>
-        <source>Keep moving forward. You are probably on the right way.</source>
+        <source>Keep moving forward. You are probably going the right way.</source>
         <translation>Continue em frente. Provavelmente está no caminho certo.</translation>
     </message>
     <message numerus="yes">
@@ -3633,22 +3633,6 @@ Abra um com Ctrl+O.</translation>
         <translation>uma rampa</translation>
     </message>
     <message>
-        <source>The door is %1.</source>
-        <translation>A porta está %1.</translation>
-    </message>
-    <message>
-        <source>The door is probably %1.</source>
-        <translation>A porta está provavelmente %1.</translation>
-    </message>
-    <message>
-        <source>The opening is %1.</source>
-        <translation>A abertura está %1.</translation>
-    </message>
-    <message>
-        <source>The opening is probably %1.</source>
-        <translation>A abertura está provavelmente %1.</translation>
-    </message>
-    <message>
         <source>The stairs are %1.</source>
         <translation>As escadas estão %1.</translation>
     </message>
@@ -3798,7 +3782,7 @@ Abra um com Ctrl+O.</translation>
     </message>
     <message>
         <source>Then, straight away, %1.</source>
-        <translation>Depois, logo a seguir, %1.</translation>
+        <translation>Logo a seguir, %1.</translation>
     </message>
     <message>
         <source>%1: your destination.</source>
@@ -3976,11 +3960,11 @@ Abra um com Ctrl+O.</translation>
     </message>
     <message>
         <source>turn %1 degrees to the left</source>
-        <translation>vire %1 graus para a esquerda</translation>
+        <translation>vire %1 graus à esquerda</translation>
     </message>
     <message>
         <source>turn %1 degrees to the right</source>
-        <translation>vire %1 graus para a direita</translation>
+        <translation>vire %1 graus à direita</translation>
     </message>
     <message>
         <source>turn slightly left</source>
@@ -4022,11 +4006,11 @@ Abra um com Ctrl+O.</translation>
     </message>
     <message>
         <source>turning %1 degrees to the left</source>
-        <translation>virando %1 graus para a esquerda</translation>
+        <translation>virando %1 graus à esquerda</translation>
     </message>
     <message>
         <source>turning %1 degrees to the right</source>
-        <translation>virando %1 graus para a direita</translation>
+        <translation>virando %1 graus à direita</translation>
     </message>
     <message>
         <source>turning slightly left</source>
@@ -4111,6 +4095,10 @@ Abra um com Ctrl+O.</translation>
         <translation>A partir daqui</translation>
     </message>
     <message>
+        <source>From here, probably</source>
+        <translation>A partir daqui, provavelmente</translation>
+    </message>
+    <message>
         <source>hydrant</source>
         <translation>boca de incêndio</translation>
     </message>
@@ -4161,11 +4149,11 @@ Abra um com Ctrl+O.</translation>
     </message>
     <message>
         <source>Thank you, that is enough.</source>
-        <translation>Obrigado, já chega.</translation>
+        <translation>Obrigado, é suficiente.</translation>
     </message>
     <message>
         <source>Start slowly: I will tell you if it is the wrong way.</source>
-        <translation>Comece devagar: eu aviso se for o lado errado.</translation>
+        <translation>Comece devagar: eu aviso se for o sentido errado.</translation>
     </message>
     <message>
         <source>You are walking the wrong way.</source>
@@ -4202,8 +4190,8 @@ Abra um com Ctrl+O.</translation>
         <translation>Não conheço nada perto de si.</translation>
     </message>
     <message>
-        <source>The directions are those of your way.</source>
-        <translation>As direções são as do seu caminho.</translation>
+        <source>The directions are as you face along your way.</source>
+        <translation>As direções são as de quem segue o seu caminho.</translation>
     </message>
     <message>
         <source>The directions are those of the map.</source>
@@ -4263,7 +4251,7 @@ Abra um com Ctrl+O.</translation>
     <message>
         <source>%1, then %2</source>
         <extracomment>%1 &quot;go through the door&quot;, %2 &quot;turn left&quot;</extracomment>
-        <translation>%1, e depois %2</translation>
+        <translation>%1, depois %2</translation>
     </message>
     <message>
         <source>stay in the lift</source>
@@ -4290,8 +4278,8 @@ Abra um com Ctrl+O.</translation>
     <message numerus="yes">
         <source>And %n more thing(s) to do after that.</source>
         <translation>
-            <numerusform>E depois disso mais %n passo.</numerusform>
-            <numerusform>E depois disso mais %n passos.</numerusform>
+            <numerusform>E depois disso, mais %n indicação.</numerusform>
+            <numerusform>E depois disso, mais %n indicações.</numerusform>
         </translation>
     </message>
     <message>

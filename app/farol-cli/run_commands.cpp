@@ -4,13 +4,12 @@
 #include "app/farol-cli/walk_inputs.h"
 #include "app/farol-cli/walk_printer.h"
 #include "app/farol-cli/walk_speech.h"
+#include "app/farol-cli/words_application.h"
 #include "core/building/geopackage.h"
 #include "core/session/navigation_session.h"
 #include "core/session/recorder.h"
 #include "core/simulation/walk_source.h"
 #include "ui/speech/phrasebook.h"
-
-#include <QCoreApplication>
 
 #include <cstring>
 #include <map>
@@ -48,21 +47,6 @@ constexpr char kRunExamples[] =
 constexpr char kReplayExamples[] = "Examples:\n"
                                    "  farol-cli replay monday/\n"
                                    "  farol-cli replay monday/ --localiser voting-literal --json-lines\n";
-
-/// Qt's words need an application; it sees none of our arguments.
-class WordsApplication {
-public:
-    explicit WordsApplication(const std::string& language) : m_application(m_count, m_arguments) {
-        QCoreApplication::setApplicationName(QStringLiteral("Farol"));
-        chooseLanguage(language);
-    }
-
-private:
-    char m_name[10] = "farol-cli";
-    char* m_arguments[2] = {m_name, nullptr};
-    int m_count = 1;
-    QCoreApplication m_application;
-};
 
 const std::map<std::string, guidance::Verbosity>& verbosities() {
     static const std::map<std::string, guidance::Verbosity> kNames{
@@ -252,7 +236,9 @@ void addRun(CLI::App& app, int& exitCode) {
     command->add_option("--seed", options->seed, "Of a simulated walk")->capture_default_str();
     command->add_option("--from", options->from, "Where the walk starts, if that is known (WHERE)");
     command->add_option("--to", options->to, "Destination (WHERE)");
-    command->add_option("--localiser", options->localiser, "voting, voting-literal, bayes, bayes-guided or bayes-guided-sparse")
+    command
+        ->add_option("--localiser", options->localiser,
+                     "voting, voting-literal, bayes, bayes-guided or bayes-guided-sparse")
         ->capture_default_str();
     command
         ->add_option("--verbosity", options->verbosity,

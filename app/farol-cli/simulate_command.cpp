@@ -5,6 +5,7 @@
 #include "app/farol-cli/output.h"
 #include "app/farol-cli/simulated_frames.h"
 #include "app/farol-cli/walk_inputs.h"
+#include "app/farol-cli/words_application.h"
 #include "core/session/closed_loop_picture.h"
 #include "core/session/json_fields.h"
 #include "core/simulation/sparse_landmarks.h"
@@ -260,6 +261,9 @@ int simulate(const SimulateOptions& options) {
         if (!studio) return exitCode;
     }
     auto world = std::make_shared<const simulation::WalkWorld>(building);
+    // English has plurals of its own: "1 metre", "2 metres".
+    std::optional<WordsApplication> words;
+    if (options.sentences || options.transcript) words.emplace("en");
     return options.walks > 0 ? walkMany(options, world, studio) : walkOne(options, world, studio);
 }
 

@@ -26,6 +26,31 @@ constexpr double kLandmarkM = 8.0;
 constexpr double kHereM = 0.7; // nearer, a thing has no direction
 constexpr std::size_t kMostAround = 6;
 
+/// Is there no wall of the region between? What lies on its border counts as within it.
+bool isInSight(const building::Region& region, Point2 here, Point2 there) {
+    constexpr double kBorderM = 0.3;
+    double size = distance(here, there);
+    if (size <= kBorderM || !contains(region.polygon, here)) return true;
+    Point2 shortOf = there + (here - there) * (kBorderM / size);
+    auto isCut = [&](const Ring& ring) {
+        for (std::size_t i = 0; i < ring.size(); ++i)
+            if (segmentsCross(here, shortOf, ring[i], ring[(i + 1) % ring.size()])) return true;
+        return false;
+    };
+    if (isCut(region.polygon.outer)) return false;
+    return std::none_of(region.polygon.holes.begin(), region.polygon.holes.end(), isCut);
+}
+
+/// Of a wide opening the nearest part that one can pass through, not its middle.
+Point2 nearestWithin(const Polyline& line, Point2 here) {
+    constexpr double kShoulderM = 0.5;
+    Point2 a = line.front(), b = line.back();
+    double width = distance(a, b);
+    if (line.size() != 2 || width <= 2.0 * kShoulderM) return (a + b) * 0.5;
+    Point2 shoulder = (b - a) * (kShoulderM / width);
+    return nearestOnSegment(here, a + shoulder, b - shoulder);
+}
+
 bool isWorthTelling(Kind kind) {
     return kind != Kind::Place && kind != Kind::Rectangle && kind != Kind::Other && kind != Kind::Door;
 }
@@ -122,7 +147,13 @@ std::vector<Surrounding> CueStep::accessesAround(std::size_t region, Bearing bea
         what.behind = behind.kind;
         double rise = behind.level - here.level;
         if (rise != 0.0) what.vertical = rise > 0.0 ? routing::Vertical::Up : routing::Vertical::Down;
-        if (!access.line.empty()) place(what, access.midpoint(), bearing, zero);
+        if (!access.line.empty()) {
+            bool wide = access.line.size() == 2 && m_fix.position;
+            Point2 at = wide ? nearestWithin(access.line, *m_fix.position) : access.midpoint();
+            // "On your left" would be the wall that it lies behind.
+            if (bearing != Bearing::None && !isInSight(here, *m_fix.position, at)) continue;
+            place(what, at, bearing, zero);
+        }
         found.push_back(std::move(what));
     }
     return found;
@@ -137,6 +168,7 @@ std::vector<Surrounding> CueStep::landmarksAround(std::size_t region, Bearing be
         Surrounding what;
         what.kind = landmark.kind;
         what.name = building::isSayable(landmark.text) ? landmark.text : std::string();
+        if (!isInSight(m_building.regions()[region], *m_fix.position, landmark.position)) continue;
         place(what, landmark.position, bearing, zero);
         if (what.distanceM && *what.distanceM <= kLandmarkM) found.push_back(std::move(what));
     }
@@ -183,6 +215,7 @@ Cue CueStep::answerNext() const {
                   age() <= kFreshSeconds && m_fix.sigmaM <= m_options.maxSigmaForActM;
     Cue cue = routeCue(isNear ? CueKind::Act : CueKind::Prepare, CuePriority::Answer, kAnswerSeconds);
     if (!isNear && distanceIsGood()) cue.distanceM = m_progress.distanceM;
+    cue.soon = isSoon();
     fillManoeuvre(cue, *m_progress.next, m_progress.afterNext);
     countDoors(*cue.manoeuvre);
     cue.facingWay = facesWay();

@@ -23,4 +23,9 @@ TurnWord turnWord(Radians delta) {
     return TurnWord::Back;
 }
 
+Radians turnOnTheSpot(Radians delta) {
+    constexpr Radians kNearlyHalf = fromDegrees(142.5);
+    return std::abs(wrapped(delta).value) >= kNearlyHalf.value ? Radians{kPi} : delta;
+}
+
 } // namespace farol::guidance

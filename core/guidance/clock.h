@@ -14,4 +14,8 @@ enum class TurnWord { Straight, SlightLeft, Left, SharpLeft, Back, SharpRight, R
 /// Bins at 22.5, 60, 120 and 150 degrees (field.md 2.1).
 TurnWord turnWord(Radians delta);
 
+/// A turn on the spot as it can be obeyed: people miss by some 15 degrees (field.md 4.4), so what is nearly
+/// half a turn is one, along the walls.
+Radians turnOnTheSpot(Radians delta);
+
 } // namespace farol::guidance

@@ -94,6 +94,10 @@ struct Cue {
     /// hold after the turn.
     std::optional<Radians> turnFirst;
     std::optional<double> distanceM; ///< only when the position allows to say it
+    /// RouteStart, OffRoute: to the manoeuvre, when other doors may lie before it. `distanceM` of a
+    /// RouteStart is the length of the whole way.
+    std::optional<double> firstM;
+    bool soon = true; ///< Prepare: known to be near
     /// RouteStart, OffRoute: the user is known to face the way; otherwise nothing is on the left or right
     /// yet.
     bool facingWay = true;

@@ -111,6 +111,8 @@ void CueStep::orient(Cue& cue) const {
     cue.facingWay = true;
     cue.hour.reset();
     cue.turnFirst.reset();
+    const routing::Side counted = first->side;
+    const int number = first->number;
     bool onSide = first->side != routing::Side::None;
     if (std::abs(off(*way).value) < kTurnFirst.value && (onSide || along)) return;
     if (!along) {
@@ -127,6 +129,7 @@ void CueStep::orient(Cue& cue) const {
     Radians wall = through ? wrapped(*through - (cue.turnFirst ? *onwards : *m_fix.heading)) : Radians{};
     if (std::abs(wall.value) < kTurnFirst.value || std::abs(wall.value) > kPi - kTurnFirst.value) return;
     first->side = wall.value > 0.0 ? routing::Side::Left : routing::Side::Right;
+    if (first->side == counted) first->number = number;
     cue.hour.reset();
 }
 

@@ -38,6 +38,8 @@ std::optional<SweepStep> following(SweepStep step) {
 
 void CueStep::tellSweep(SweepStep step) {
     m_memory.sweep = SchedulerMemory::Sweep{step, m_fix.time};
+    m_memory.facesWay = false; // who has looked around faces anywhere
+    m_memory.advance.reset();
     Cue cue = cueOf(CueKind::Unsure, CuePriority::OffRoute, kUnsureSeconds);
     cue.sweep = step;
     cue.detail = m_fix.note;

@@ -49,6 +49,8 @@ constexpr double kStandingSeconds = 4.0; ///< in which nobody who walks is not h
 
 constexpr double kActSeconds = 4.0, kPrepareSeconds = 6.0, kStartSeconds = 15.0, kReassureSeconds = 4.0,
                  kArrivalSeconds = 20.0, kOffRouteSeconds = 8.0, kRefusalSeconds = 20.0;
+/// Who walks this far off the direction of the way does not walk along it.
+constexpr Radians kAgainst = fromDegrees(110.0);
 /// Below, the user faces the way well enough to just walk.
 constexpr Radians kTurnFirst = fromDegrees(60.0);
 /// Who has been told nothing since a place was entered, and does not get on, waits for a word; who does not
@@ -196,13 +198,16 @@ bool CueStep::staysInLift(const Manoeuvre& manoeuvre) const {
 }
 
 /// A door close beside the one that one has come through is on a side, too, though nobody walks along a wall
-/// to it.
+/// to it; and so is one in the side wall of a corridor that is too wide for its walls to be followed.
 void CueStep::setShortSide(Manoeuvre& manoeuvre) const {
     if (!m_progress.route || !manoeuvre.behind || manoeuvre.side != routing::Side::None) return;
     double towards = wrapped(manoeuvre.turn - *manoeuvre.behind).value, before = -kBesideM;
     for (const Manoeuvre& each : m_progress.route->manoeuvres)
         if (each.kind != ManoeuvreKind::Start && each.atM < manoeuvre.atM) before = each.atM;
-    if (std::abs(towards) < kTurnFirst.value || manoeuvre.atM - before >= kBesideM) return;
+    const building::Region* from = m_building.region(manoeuvre.from);
+    bool along = from != nullptr && from->kind == building::RegionKind::Corridor;
+    bool beside = along || manoeuvre.atM - before < kBesideM;
+    if (std::abs(towards) < kTurnFirst.value || !beside) return;
     manoeuvre.side = towards > 0.0 ? routing::Side::Left : routing::Side::Right;
     manoeuvre.number = 0;
 }
@@ -239,13 +244,24 @@ void CueStep::addManoeuvre(Cue cue, const Manoeuvre& manoeuvre, const std::optio
     if (m_building.region(manoeuvre.into) != nullptr) m_memory.announcedInto[manoeuvre.into] = m_fix.time;
     m_memory.told[keyOf(manoeuvre)] = m_fix.time;
     if (cue.turnFirst) m_memory.turnToldAt = m_fix.time;
-    if (cue.kind == CueKind::Prepare || cue.kind == CueKind::Act) m_memory.prepared.insert(keyOf(manoeuvre));
+    if (cue.kind == CueKind::RouteStart || cue.kind == CueKind::OffRoute) {
+        bool starts = cue.manoeuvre->kind == ManoeuvreKind::Start && cue.next;
+        const Manoeuvre& first = starts ? *cue.next : *cue.manoeuvre;
+        m_memory.startToldSide = cue.facingWay || first.side == routing::Side::None;
+    }
+    // What was told from far off is announced once more.
+    bool far = cue.kind == CueKind::Prepare && m_progress.distanceM &&
+               *m_progress.distanceM > m_options.prepareDistanceM + kNoReassuranceM;
+    if ((cue.kind == CueKind::Prepare && !far) || cue.kind == CueKind::Act)
+        m_memory.prepared.insert(keyOf(manoeuvre));
     if (cue.kind == CueKind::Act) m_memory.acted[keyOf(manoeuvre)] = m_fix.time;
     // Stairs and lifts are told once more by themselves, with their steps and the level.
     if (cue.next && !changesLevel(cue.next->kind)) {
         m_memory.told[keyOf(*cue.next)] = m_fix.time;
         m_memory.followed[keyOf(*cue.next)] = m_fix.time;
         m_memory.prepared.insert(keyOf(*cue.next));
+    } else if (cue.next && m_memory.acted.contains(keyOf(manoeuvre))) {
+        m_memory.prepared.insert(keyOf(*cue.next)); // no announcement between one order and the next
     }
     add(std::move(cue));
 }
@@ -330,10 +346,24 @@ void CueStep::tellStart() {
     double length = m_progress.route->lengthM;
     if (m_fix.position || length >= kLongWayM) cue.distanceM = length;
     cue.turnFirst = turnFirst();
+    cue.firstM = firstM();
+    // Right before a door the beginning of the way is the order to go through it.
+    bool near = m_progress.distanceM && *m_progress.distanceM <= m_options.actDistanceM + kActAtOnceM;
+    if (near && m_progress.next) m_memory.acted[keyOf(*m_progress.next)] = m_fix.time;
     if (m_progress.next)
         addManoeuvre(std::move(cue), *m_progress.next, m_progress.afterNext);
     else
         add(std::move(cue));
+}
+
+bool CueStep::isSoon() const {
+    return m_progress.distanceM && *m_progress.distanceM <= m_options.prepareDistanceM + kNoReassuranceM;
+}
+
+/// Without it, whoever is told to go through a door takes the nearest one.
+std::optional<double> CueStep::firstM() const {
+    bool far = distanceIsGood() && *m_progress.distanceM > m_options.prepareDistanceM;
+    return far ? m_progress.distanceM : std::nullopt;
 }
 
 void CueStep::tellOffRoute() {
@@ -347,6 +377,8 @@ void CueStep::tellOffRoute() {
     if (!toldNow) m_memory.offRouteToldAt = m_fix.time;
     cue.deviation = m_progress.deviation;
     cue.turnFirst = turnFirst();
+    (toldNow ? cue.distanceM : cue.firstM) = firstM();
+    cue.soon = isSoon();
     if (m_progress.next)
         addManoeuvre(std::move(cue), *m_progress.next, m_progress.afterNext);
     else if (!toldNow)
@@ -361,13 +393,25 @@ void CueStep::followAdvance() {
     }
     double remaining = *m_progress.remainingM;
     std::optional<SchedulerMemory::Advance>& last = m_memory.advance;
-    if (!last) last = {spotTime(), remaining, false};
+    if (!last) last = {spotTime(), remaining, m_fix.position, false};
     if (last->spotTime == spotTime()) return;
     // Steps that are too short to tell are added up.
     double gone = last->remainingM - remaining;
     bool stands = spotTime() - last->spotTime > kStandingSeconds;
-    if (std::abs(gone) >= kAdvanceM || stands) last = {spotTime(), remaining, gone >= kAdvanceM};
-    if (last->along) m_memory.facesWay = true;
+    bool against = walksAgainstTheWay(last->at);
+    if (std::abs(gone) < kAdvanceM && !stands && !against) return;
+    last = {spotTime(), remaining, m_fix.position, gone >= kAdvanceM && !against};
+    // Who comes back from beyond has the door on the other side.
+    if (last->along || against) m_memory.facesWay = last->along;
+}
+
+/// From that spot to this one, whatever that does to the distance that is left.
+bool CueStep::walksAgainstTheWay(const std::optional<Point2>& from) const {
+    if (!from || !m_fix.position || !m_fix.level || !m_progress.route) return false;
+    Point2 step = *m_fix.position - *from;
+    auto way = wayDirection(*m_progress.route, *m_fix.position, *m_fix.level);
+    return way && length(step) >= kAdvanceM &&
+           std::abs(wrapped(directionOf(step) - *way).value) > kAgainst.value;
 }
 
 void CueStep::tellManoeuvre() {
@@ -407,15 +451,19 @@ void CueStep::tellAgain(const Manoeuvre& next) {
     if (!facesAway()) ++m_memory.repeats;
     Cue cue = routeCue(CueKind::Prepare, CuePriority::Prepare, kPrepareSeconds);
     if (distanceIsGood()) cue.distanceM = m_progress.distanceM;
+    cue.soon = isSoon();
     cue.hour = hourTo(next);
     addManoeuvre(std::move(cue), next, m_progress.afterNext);
 }
 
 void CueStep::tellMeasured(const Manoeuvre& next) {
-    double measured = *m_progress.distanceM;
+    // Beyond it, the way says that it is reached.
+    double beeline = m_fix.position && m_fix.level == next.level
+                         ? distance(*m_fix.position, next.position) - m_fix.sigmaM
+                         : 0.0;
+    double measured = std::max(*m_progress.distanceM, beeline);
     double expected = std::max(0.0, measured - kWalkingSpeed * age());
     std::string key = keyOf(next);
-    bool isTold = m_memory.told.contains(key);
     bool near = measured <= m_options.actDistanceM && age() <= kFreshSeconds;
     // An object can be recognised from several metres away: its place on the map is not where the user
     // stands.
@@ -423,8 +471,10 @@ void CueStep::tellMeasured(const Manoeuvre& next) {
         double repeatAfter = changesLevel(next.kind) ? kOnStairsSeconds : m_options.repeatAfterSeconds;
         double pause = measured <= kActAtOnceM ? kActAtOnceSeconds : kActAfterPrepareSeconds;
         auto toldAt = m_memory.told.find(key);
+        // Whoever stands in the door already would look for another one ahead.
+        double startPause = measured <= kActAtOnceM ? m_options.repeatAfterSeconds : kActAfterStartSeconds;
         bool startIsToldNow = toldAt != m_memory.told.end() && toldAt->second == m_memory.startedAt &&
-                              m_fix.time - toldAt->second < kActAfterStartSeconds;
+                              m_fix.time - toldAt->second < startPause;
         bool holdBack = toldRecently(m_memory.told, key, pause) || startIsToldNow ||
                         toldRecently(m_memory.acted, key, repeatAfter);
         if (holdBack || tellWhatFollows(next, measured)) return;
@@ -432,10 +482,11 @@ void CueStep::tellMeasured(const Manoeuvre& next) {
         addManoeuvre(std::move(cue), next, m_progress.afterNext);
     } else if (expected <= m_options.prepareDistanceM) {
         bool again = near && !toldRecently(m_memory.told, key, m_options.repeatAfterSeconds);
-        // What only the beginning of the route has told, from afar, is announced like everything else.
-        bool prepared =
-            m_memory.prepared.contains(key) || toldRecently(m_memory.told, key, kActAfterStartSeconds);
-        if (isTold && prepared && !again) return;
+        // What only the beginning of the route has told is announced like everything else, but not the very
+        // same a moment later.
+        double pause = m_memory.startToldSide ? m_options.repeatAfterSeconds : kActAfterStartSeconds;
+        bool prepared = m_memory.prepared.contains(key) || toldRecently(m_memory.told, key, pause);
+        if (prepared && !again) return;
         if (waitsForCount(next) && measured > kCountingM) return;
         Cue cue = routeCue(CueKind::Prepare, CuePriority::Prepare, kPrepareSeconds);
         if (distanceIsGood()) cue.distanceM = measured;
@@ -488,7 +539,8 @@ void CueStep::tellUnmeasured(const Manoeuvre& next) {
         due = &*m_progress.afterNext; // a bend told long ago is passed by now, or will be felt
         after.reset();
     }
-    double leg = legLength(*due).value_or(0.0);
+    std::optional<double> length = legLength(*due);
+    double leg = length.value_or(0.0);
     std::string key = keyOf(*due);
     auto told = m_memory.told.find(key);
     if (told != m_memory.told.end()) {
@@ -503,6 +555,7 @@ void CueStep::tellUnmeasured(const Manoeuvre& next) {
     bool atOnce = told == m_memory.told.end() && leg <= m_options.actDistanceM;
     Cue cue = atOnce ? routeCue(CueKind::Act, CuePriority::ActNow, kActSeconds)
                      : routeCue(CueKind::Prepare, CuePriority::Prepare, kPrepareSeconds);
+    cue.soon = length && leg - walked <= m_options.prepareDistanceM + kNoReassuranceM;
     addManoeuvre(std::move(cue), *due, after);
 }
 

@@ -23,11 +23,13 @@ struct SchedulerMemory {
     std::map<std::string, double> followed;  ///< manoeuvre -> when it was told as the second part of a cue
     std::set<std::string> prepared;          ///< announced when they came near, or as the next thing
     std::optional<double> startedAt;         ///< when the beginning of the route was told
+    bool startToldSide = false;              ///< with the side of its door, or there was none to tell
     std::optional<double> routeToldAt;       ///< any cue of the route
     std::optional<double> remainingWhenTold; ///< metres to the destination then
     std::optional<double> arrivedToldAt;
     struct Advance {
         double spotTime = 0.0, remainingM = 0.0;
+        std::optional<Point2> at;
         bool along = false;
     };
     std::optional<Advance> advance;
@@ -102,6 +104,7 @@ private:
     void tellAgain(const routing::Manoeuvre& next);
     void tellReassurance(double aheadM);
     void followAdvance();
+    bool walksAgainstTheWay(const std::optional<Point2>& from) const;
     Cue cueOf(CueKind kind, CuePriority priority, double seconds) const;
     Cue routeCue(CueKind kind, CuePriority priority, double seconds) const;
     void addManoeuvre(Cue cue, const routing::Manoeuvre& manoeuvre,
@@ -122,6 +125,8 @@ private:
     std::string levelName(double ordinal, bool asOnButtons) const;
     std::optional<double> legLength(const routing::Manoeuvre& manoeuvre) const;
     std::optional<Radians> turnFirst() const;
+    std::optional<double> firstM() const;
+    bool isSoon() const;
     std::optional<int> hourTo(const routing::Manoeuvre& manoeuvre) const;
     std::string keyOf(const routing::Manoeuvre& manoeuvre) const;
     bool toldRecently(const std::map<std::string, double>& times, const std::string& key,

@@ -214,6 +214,7 @@ void addCueSubject(Json& json, const guidance::Cue& cue) {
     if (cue.hour) json["hour"] = *cue.hour;
     if (cue.turnFirst) json["turn_first_deg"] = degreesJson(*cue.turnFirst);
     if (cue.distanceM) json["distance_m"] = printedNumber(*cue.distanceM);
+    if (cue.firstM) json["first_m"] = printedNumber(*cue.firstM);
     addText("region", cue.region.value);
     addText("region_name", cue.regionName);
     addText("into_name", cue.intoName);

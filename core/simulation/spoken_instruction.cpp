@@ -137,6 +137,8 @@ bool takeTask(const std::string& clause, WalkTask& task, std::optional<int>* hou
                      begins(text, "stay in the lift") || begins(text, "stairs") || begins(text, "a lift") ||
                      begins(text, "an escalator") || begins(text, "a ramp");
         if (!climb) return false;
+        if (std::size_t after = text.find(", after the "); after != std::string_view::npos)
+            text = text.substr(0, after);
         task.feature = climbIn(text);
         task.vertical = verticalIn(text);
         takeWhere(text, task, hour);
@@ -300,7 +302,8 @@ private:
             metres = count * (has(unit, "f") ? 0.3048 : has(unit, "step") ? 0.7 : 1.0);
             text.remove_prefix(end);
         } else if (!take(text, "Soon, probably") && !take(text, "Soon") && !take(text, "First, probably") &&
-                   !take(text, "First") && !take(text, "From here") && !take(text, "Then")) {
+                   !take(text, "First") && !take(text, "From here, probably") && !take(text, "From here") &&
+                   !take(text, "Then")) {
             return hearBend(text);
         }
         if (!take(text, ", ") && !take(text, ": ")) return false;

@@ -100,10 +100,14 @@ void takeTasks(const Cue& cue, WalkInstruction& instruction) {
     instruction.task.last = second && second->kind == ManoeuvreKind::Arrive;
     if (instruction.task.feature == Feature::Elevator) instruction.task.level = cue.levelName;
     instruction.turnFirst = cue.turnFirst;
-    if (instruction.turnFirst) instruction.turnFirst = heard(*instruction.turnFirst);
+    if (instruction.turnFirst) instruction.turnFirst = heard(guidance::turnOnTheSpot(*instruction.turnFirst));
     // Of a door or an opening no hour is spoken either to one who does not face the way.
     if (cue.facingWay || !gap) instruction.hour = cue.hour;
     if (cue.distanceM && cue.sure) instruction.distanceM = std::round(*cue.distanceM);
+    bool begins = cue.kind == CueKind::RouteStart || cue.kind == CueKind::OffRoute;
+    // The distance of a beginning is that of the whole way.
+    if (begins) instruction.distanceM.reset();
+    if (begins && cue.firstM && cue.sure) instruction.distanceM = std::round(*cue.firstM);
 }
 
 } // namespace
@@ -118,9 +122,7 @@ WalkInstruction instructionOf(const Cue& cue) {
     WalkInstruction instruction;
     switch (cue.kind) {
     case CueKind::RouteStart:
-        // Its distance is that of the whole way.
         takeTasks(cue, instruction);
-        instruction.distanceM.reset();
         instruction.order = Order::Go;
         break;
     case CueKind::Prepare:

@@ -1,9 +1,6 @@
 #include "tests/guidance/golden_walk.h"
 
-#include "core/guidance/cue_scheduler.h"
-#include "ui/speech/speech_queue.h"
-
-#include <QStringList>
+#include "tests/guidance/golden_teller.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,41 +11,12 @@ namespace {
 
 using guidance::Cue;
 using routing::PathPoint;
-using ui::DirectionStyle;
-using ui::Phrasebook;
-using ui::Utterance;
-using ui::UtteranceState;
 
 constexpr double kStepS = 0.5;
 constexpr double kSpeed = 0.8;
-constexpr double kWordsPerS = 2.7;
-constexpr double kGapS = 0.5;
 constexpr double kStairsS = 15.0;
 constexpr double kHeadingAfterM = 1.0;
 constexpr double kSeenM = 4.0;
-
-/// Says nothing and takes as long as saying it would.
-class TimedVoice final : public ui::SpeechOutput {
-public:
-    void say(const QString& text) override {
-        m_left = static_cast<double>(text.split(QLatin1Char(' ')).size()) / kWordsPerS + kGapS;
-        m_speaking = true;
-    }
-    void stop() override { m_speaking = false; }
-    bool speaking() const override { return m_speaking; }
-    QString description() const override { return QStringLiteral("timed"); }
-    void pass(double seconds) {
-        if (!m_speaking) return;
-        m_left -= seconds;
-        if (m_left > 0.0) return;
-        m_speaking = false;
-        Q_EMIT finished();
-    }
-
-private:
-    double m_left = 0.0;
-    bool m_speaking = false;
-};
 
 /// Not on its border, along which a path may lead.
 bool isWithin(const Polygon& polygon, Point2 p) {
@@ -131,38 +99,27 @@ private:
     double m_along = 0.0, m_gone = 0.0, m_resting = 0.0, m_sinceTurnedUp = 0.0;
 };
 
-class Teller {
+class Walk {
 public:
-    explicit Teller(const GoldenBuilding& golden);
+    explicit Walk(const GoldenBuilding& golden);
     QString tell();
     void setListener(std::function<void(const Cue&, const QString&)> listener) {
-        m_listener = std::move(listener);
+        m_teller.setListener(std::move(listener));
     }
 
 private:
     void head();
     void step();
-    void add(const QString& what, const Cue& cue);
-    void ask(guidance::Question question);
     localisation::Fix fix();
     std::vector<localisation::Observation> seen(const localisation::Fix& fix) const;
 
     const GoldenBuilding& m_golden;
     std::shared_ptr<const routing::Planner> m_planner;
     routing::Route m_route;
-    guidance::RouteTracker m_tracker;
-    guidance::CueScheduler m_scheduler;
     PathWalker m_walker;
-    Phrasebook m_phrasebook;
-    TimedVoice m_voice;
-    ui::SpeechQueue m_queue;
-    localisation::Fix m_fix;
-    guidance::Progress m_progress;
-    bool m_asked = false;
+    Teller m_teller;
+    bool m_started = false, m_asked = false;
     double m_time = 0.0;
-    std::uint64_t m_frame = 0;
-    QStringList m_lines;
-    std::function<void(const Cue&, const QString&)> m_listener;
 };
 
 routing::Route planned(const routing::Planner& planner, const GoldenBuilding& golden) {
@@ -178,52 +135,14 @@ guidance::GuidanceOptions optionsOf(const GoldenBuilding& golden) {
     return options;
 }
 
-Teller::Teller(const GoldenBuilding& golden)
+Walk::Walk(const GoldenBuilding& golden)
     : m_golden(golden),
       m_planner(routing::makeOptimalPlanner(golden.building)),
       m_route(planned(*m_planner, golden)),
-      m_tracker(golden.building, m_planner),
-      m_scheduler(golden.building, optionsOf(golden)),
       m_walker(*golden.building, m_route),
-      m_queue(m_voice, m_phrasebook) {
-    m_queue.setGapMs(0);
-    QObject::connect(&m_queue, &ui::SpeechQueue::changed, [this](const Utterance& utterance) {
-        if (utterance.state == UtteranceState::Speaking)
-            add(QString::fromStdString(cueKindName(utterance.cue.kind)), utterance.cue);
-        if (utterance.state == UtteranceState::Expired || utterance.state == UtteranceState::Interrupted) {
-            bool cut = utterance.state == UtteranceState::Interrupted;
-            m_lines << QStringLiteral("%1 (%2: %3)")
-                           .arg(QString(), 20)
-                           .arg(cut ? QStringLiteral("cut short") : QStringLiteral("not spoken"),
-                                utterance.text);
-        }
-    });
-}
+      m_teller(golden.building, m_planner, optionsOf(golden)) {}
 
-/// What would be answered now; asking does not disturb the walk.
-void Teller::ask(guidance::Question question) {
-    const Cue cue = m_scheduler.answer(question, m_frame, m_fix, m_progress);
-    add(QStringLiteral("? ") + QString::fromStdString(questionName(question)), cue);
-}
-
-void Teller::add(const QString& what, const Cue& cue) {
-    auto said = [&](DirectionStyle style) { return Phrasebook(style).sentence(cue); };
-    const QString plain = said(DirectionStyle::LeftRight);
-    if (m_listener) m_listener(cue, plain);
-    m_lines << QStringLiteral("%1 s %2 m  %3 %4")
-                   .arg(m_time, 5, 'f', 1)
-                   .arg(m_walker.gone(), 5, 'f', 1)
-                   .arg(what, -12)
-                   .arg(plain);
-    const QString margin(30, QLatin1Char(' '));
-    for (auto [style, name] :
-         {std::pair(DirectionStyle::Clock, "clock"), {DirectionStyle::Degrees, "degrees"}}) {
-        const QString text = said(style);
-        if (text != plain) m_lines << margin + QStringLiteral("[%1] %2").arg(QLatin1String(name), text);
-    }
-}
-
-localisation::Fix Teller::fix() {
+localisation::Fix Walk::fix() {
     PathPoint at = m_walker.here();
     localisation::Fix fix;
     fix.time = fix.evidenceTime = m_time;
@@ -240,7 +159,7 @@ localisation::Fix Teller::fix() {
 }
 
 /// What the camera sees of the landmarks ahead of the walker.
-std::vector<localisation::Observation> Teller::seen(const localisation::Fix& fix) const {
+std::vector<localisation::Observation> Walk::seen(const localisation::Fix& fix) const {
     std::vector<localisation::Observation> all;
     if (!fix.heading) return all;
     for (const building::Landmark& landmark : m_golden.building->landmarks()) {
@@ -258,61 +177,53 @@ std::vector<localisation::Observation> Teller::seen(const localisation::Fix& fix
     return all;
 }
 
-void Teller::head() {
-    m_lines << QString::fromStdString(m_golden.title) << QString();
-    for (const std::string& drawing : m_golden.drawings) m_lines << QString::fromStdString(drawing).trimmed();
-    m_lines << QString();
+void Walk::head() {
+    m_teller.write(QString::fromStdString(m_golden.title) + QLatin1Char('\n'));
+    // Only the margin that all lines have: the walls stand where they were drawn.
+    for (const std::string& drawing : m_golden.drawings)
+        m_teller.write(QString::fromStdString(drawing).remove(0, 1));
 }
 
-void Teller::step() {
-    m_voice.pass(kStepS);
-    m_fix = fix();
-    m_progress = m_tracker.update(m_fix);
-    m_queue.setNow(m_time, m_fix.region, m_progress.routeVersion);
-    for (const Cue& cue : m_scheduler.update(++m_frame, m_fix, m_progress, seen(m_fix))) {
-        if (cue.chime != guidance::Chime::None)
-            m_lines << QStringLiteral("%1 s %2 m  (chime: %3)")
-                           .arg(m_time, 5, 'f', 1)
-                           .arg(m_walker.gone(), 5, 'f', 1)
-                           .arg(QString::fromStdString(chimeName(cue.chime)));
-        m_queue.add(cue);
-    }
-    if (m_frame == 1) ask(guidance::Question::Preview);
+void Walk::step() {
+    const localisation::Fix now = fix();
+    m_teller.step(now, kStepS, m_walker.gone(), seen(now));
+    if (!m_started) m_teller.ask(guidance::Question::Preview);
+    m_started = true;
     if (!m_asked && m_walker.gone() >= 0.5 * m_route.lengthM) {
         m_asked = true;
         for (auto question : {guidance::Question::WhereAmI, guidance::Question::AroundMe,
                               guidance::Question::Next, guidance::Question::Remaining})
-            ask(question);
+            m_teller.ask(question);
     }
     // Nobody sets out before the way was told to its end.
-    bool listening = m_walker.gone() == 0.0 && m_voice.speaking();
+    bool listening = m_walker.gone() == 0.0 && m_teller.voice().speaking();
     if (!listening) m_walker.walk(kStepS);
     m_time += kStepS;
 }
 
-QString Teller::tell() {
+QString Walk::tell() {
     head();
-    m_tracker.setDestination(m_golden.to);
-    constexpr double kLongestS = 300.0, kRestS = 8.0;
+    m_teller.tracker().setDestination(m_golden.to);
+    constexpr double kLongestS = 300.0, kAfterS = 8.0;
     double arrivedAt = kLongestS;
-    while (m_time < std::min(kLongestS, arrivedAt + kRestS)) {
+    while (m_time < std::min(kLongestS, arrivedAt + kAfterS)) {
         step();
         if (m_walker.arrived()) arrivedAt = std::min(arrivedAt, m_time);
     }
-    return m_lines.join(QLatin1Char('\n')) + QLatin1Char('\n');
+    return m_teller.text();
 }
 
 } // namespace
 
 QString tellWalk(const GoldenBuilding& golden) {
-    return Teller(golden).tell();
+    return Walk(golden).tell();
 }
 
 void listenToWalk(const GoldenBuilding& golden,
                   const std::function<void(const Cue& cue, const QString& words)>& listener) {
-    Teller teller(golden);
-    teller.setListener(listener);
-    teller.tell();
+    Walk walk(golden);
+    walk.setListener(listener);
+    walk.tell();
 }
 
 } // namespace farol::test

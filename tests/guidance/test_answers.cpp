@@ -237,4 +237,54 @@ TEST(Chimes, AFixIsHeardOnceAndAgainAfterItWasLost) {
     EXPECT_EQ(walk.scheduler.warning(1, 2.0, CueReason::CameraLost, "").chime, Chime::Warning);
 }
 
+/// "On your left" would be the wall that it lies behind.
+TEST(Answers, WhatLiesBehindAWallOfTheSamePlaceIsNotAroundOne) {
+    AsciiMap ring = AsciiMap()
+                        .floor(R"(
+            +-----+-----+-----+
+            |A    |B    |C    |
+            +--/--+--/--+--/--+
+            |K   e            |
+            |   +---------+   |
+            |   |X        |   |
+            |   +---------+   |
+            |      1          |
+            +--/--------/-----+
+            |D       |E       |
+            +--------+--------+
+        )")
+                        .landmark('e', {Kind::Extinguisher});
+    Asked walk(ring);
+    walk.seen("K", '1');
+    std::string names;
+    for (const Surrounding& each : walk.ask(Question::AroundMe).around) {
+        names += each.name;
+        EXPECT_TRUE(each.access) << "the extinguisher is behind the core";
+    }
+    for (char inSight : std::string("DE")) EXPECT_NE(names.find(inSight), std::string::npos) << names;
+    for (char behind : std::string("B")) EXPECT_EQ(names.find(behind), std::string::npos) << names;
+}
+
+/// Half of a wide opening is straight ahead of whoever walks along its side.
+TEST(Answers, AWideOpeningIsWhereItIsNearest) {
+    AsciiMap halls = AsciiMap().floor(R"(
+            +--------+--------+
+            |A       :B       |
+            |        :        |
+            |     1  :        |
+            |        :        |
+            |        :        |
+            +--------+--------+
+        )");
+    Asked walk(halls);
+    walk.seen("A", '1');
+    walk.fix.heading = fromDegrees(0.0);
+    walk.fix.headingSigma = fromDegrees(10.0);
+    walk.fix.sigmaM = 0.5;
+    const Cue around = walk.ask(Question::AroundMe);
+    ASSERT_EQ(around.around.size(), 1U);
+    ASSERT_TRUE(around.around.front().direction);
+    EXPECT_NEAR(toDegrees(*around.around.front().direction), 0.0, 10.0);
+}
+
 } // namespace

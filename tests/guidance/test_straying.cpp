@@ -44,7 +44,7 @@ struct Walked : Guided {
             time += secondsBetween;
             fix.time = fix.evidenceTime = time;
             fix.region = RegionId("K");
-            fix.confidence = 0.9;
+            fix.confidence = confidence;
             fix.level = 0.0;
             fix.position = map.spot(spot).position;
             fix.sigmaM = sigma;
@@ -61,6 +61,7 @@ struct Walked : Guided {
         return nullptr;
     }
     std::shared_ptr<const routing::Planner> planner2;
+    double confidence = 0.9;
     int replans = 0;
     Deviation deviation = Deviation::LeftRoute;
 };
@@ -295,6 +296,54 @@ TEST(Straying, TheWrongWayIsToldWhileNothingIsSeen) {
     }
     ASSERT_NE(walk.offRoute(), nullptr);
     EXPECT_EQ(walk.offRoute()->deviation, Deviation::WrongWay);
+}
+
+/// A guess is no ground to call somebody back; nor for a side that holds for those only who come as planned.
+TEST(Straying, WhoComesBackFromBeyondHearsNoSide) {
+    Walked walk;
+    walk.confidence = 0.3;
+    walk.tracker.setDestination(at("C"));
+    walk.walk("56789abcdef");
+    walk.all.clear();
+    walk.walk("edcba987");
+    int told = 0;
+    for (const Cue& cue : walk.all) {
+        if (cue.kind != CueKind::Prepare && cue.kind != CueKind::Act) continue;
+        ++told;
+        EXPECT_FALSE(cue.facingWay) << "the door is on the other hand now";
+    }
+    EXPECT_GT(told, 0);
+}
+
+/// The way's own nearest spot is the door, however far beyond somebody is.
+TEST(Straying, NobodyFarBeyondADoorIsNearIt) {
+    Walked walk;
+    walk.confidence = 0.3;
+    walk.tracker.setDestination(at("B"));
+    Point2 door = walk.building->access(AccessId("B-K"))->midpoint();
+    for (char spot : std::string("56789abcdef")) {
+        walk.walk(std::string(1, spot));
+        for (const Cue& cue : walk.cues)
+            EXPECT_TRUE(cue.kind != CueKind::Act || distance(*walk.fix.position, door) <= 4.0);
+    }
+}
+
+/// "First, go through the door": with others before it, only metres tell which.
+TEST(Straying, TheFirstDoorIsToldWithItsDistance) {
+    Walked walk;
+    walk.tracker.setDestination(at("C"));
+    walk.walk("1");
+    ASSERT_EQ(walk.cues.front().kind, CueKind::RouteStart);
+    ASSERT_TRUE(walk.cues.front().firstM);
+    EXPECT_NEAR(*walk.cues.front().firstM, *walk.progress.distanceM, 1e-9);
+    Walked near;
+    near.tracker.setDestination(at("C"));
+    near.walk("d");
+    EXPECT_FALSE(near.cues.front().firstM) << "at hand";
+    Walked vague;
+    vague.tracker.setDestination(at("C"));
+    vague.walk("1", 4.0);
+    EXPECT_FALSE(vague.cues.front().firstM);
 }
 
 } // namespace

@@ -87,6 +87,16 @@ void addStarts(std::vector<NamedCue>& list) {
     list.push_back({"start, turn", turn, true});
     list.push_back({"start, turn, unsure", unsure(turn), false});
     list.push_back({"start, nothing known", cueOf(CueKind::RouteStart), false});
+    Cue far = with(cueOf(CueKind::RouteStart, at(ManoeuvreKind::Door, 90), "Corridor B"), std::nullopt, 42.0);
+    far.regionName = "Library";
+    far.firstM = 14.0;
+    far.facingWay = false;
+    far.manoeuvre->atM = 14.0;
+    list.push_back({"start, door far off, facing unknown", far, false});
+    far.turnFirst = fromDegrees(150);
+    far.facingWay = true;
+    far.distanceM = 15.0; // the length of the way says no more than the first distance
+    list.push_back({"start, door far off, behind", far, true});
 }
 
 void addManoeuvres(std::vector<NamedCue>& list, CueKind kind, const QString& word) {
@@ -173,6 +183,19 @@ void addState(std::vector<NamedCue>& list) {
     Cue back = cueOf(CueKind::OffRoute, at(ManoeuvreKind::Opening, -90), "Hall");
     back.turnFirst = fromDegrees(-175);
     list.push_back({"off route, new way behind", back, false});
+    back.firstM = 8.0;
+    back.turnFirst = fromDegrees(-90);
+    list.push_back({"off route, new way far off", back, false});
+    Cue waits = cueOf(CueKind::Prepare, at(ManoeuvreKind::Door, 90), "Hall");
+    waits.soon = false;
+    list.push_back({"told again, perhaps far off", waits, false});
+    list.push_back({"told again, perhaps far off, unsure", unsure(waits), false});
+    waits.turnFirst = fromDegrees(180);
+    list.push_back({"told again, behind", waits, false});
+    Cue asked = cueOf(CueKind::Unsure);
+    asked.sweep = SweepStep::Up;
+    asked.asked = true;
+    list.push_back({"asked while looking around", asked, false});
     list.push_back(
         {"off route, new way, turn", cueOf(CueKind::OffRoute, at(ManoeuvreKind::Turn, 180)), false});
     list.push_back(
@@ -255,6 +278,9 @@ void addCountedDoors(std::vector<NamedCue>& list) {
     list.push_back({"the wrong way", cue, true});
     cue.deviation = guidance::Deviation::Missed;
     list.push_back({"too far", cue, false});
+    list.push_back({"too far, unsure", unsure(cue), false});
+    cue.deviation = guidance::Deviation::WrongWay;
+    list.push_back({"the wrong way, unsure", unsure(cue), false});
 }
 
 void addAnswers(std::vector<NamedCue>& list) {
@@ -289,6 +315,73 @@ void addAnswers(std::vector<NamedCue>& list) {
     list.push_back({"located, no name", unnamed, false});
 }
 
+/// Words that nothing above needs: every thing, side of the map, number, mark and hedged place.
+void addEveryWord(std::vector<NamedCue>& list) {
+    for (int number = 4; number <= 8; ++number) {
+        Cue cue =
+            with(cueOf(CueKind::Prepare, doorOn(routing::Side::Right, number, 0.0)), std::nullopt, 20.0);
+        cue.routeVersion = 1;
+        list.push_back({QStringLiteral("door number %1").arg(number), cue, false});
+    }
+    for (Kind kind :
+         {Kind::Fountain, Kind::Hydrant, Kind::VendingMachine, Kind::Bin, Kind::Plant, Kind::Locker}) {
+        Cue cue = cueOf(CueKind::Prepare, doorOn(routing::Side::Left, 1, 0.0));
+        cue.mark = guidance::Mark{kind, routing::Side::None};
+        list.push_back({QStringLiteral("mark %1").arg(QLatin1String(kindName(kind).data())), cue, false});
+    }
+    Cue around = about(CueKind::Around, "Corridor B");
+    around.bearing = guidance::Bearing::Map;
+    int eighth = 0;
+    for (Kind kind : allKinds()) {
+        guidance::Surrounding thing;
+        thing.kind = kind;
+        thing.direction = fromDegrees(-45.0 * (eighth++ % 8));
+        around.around = {thing};
+        list.push_back(
+            {QStringLiteral("around, %1").arg(QLatin1String(kindName(kind).data())), around, false});
+    }
+    for (auto behind : {building::RegionKind::Room, building::RegionKind::Hall,
+                        building::RegionKind::Stairwell, building::RegionKind::Outside}) {
+        guidance::Surrounding door;
+        door.access = ManoeuvreKind::Door;
+        door.behind = behind;
+        around.around = {door};
+        list.push_back({QStringLiteral("around, door to %1").arg(static_cast<int>(behind)), around, false});
+        Cue unnamed = about(CueKind::Located, "");
+        unnamed.regionKind = behind;
+        list.push_back({QStringLiteral("located in %1").arg(static_cast<int>(behind)), unnamed, false});
+    }
+    for (auto kind :
+         {ManoeuvreKind::Stairs, ManoeuvreKind::Elevator, ManoeuvreKind::Ramp, ManoeuvreKind::Escalator}) {
+        const QString name = QString::fromStdString(routing::manoeuvreKindName(kind));
+        const Cue cue = unsure(cueOf(CueKind::Act, at(kind, 0, Vertical::Up)));
+        list.push_back({name + QStringLiteral(", unsure, somewhere"), cue, false});
+        list.push_back({name + QStringLiteral(", unsure, on the right"), with(cue, 3), false});
+    }
+    for (double turn : {180.0, 135.0, -135.0, 45.0, 0.0})
+        list.push_back({QStringLiteral("through a door, turning %1").arg(turn),
+                        cueOf(CueKind::Act, at(ManoeuvreKind::Door, turn)), false});
+    for (double turn : {45.0, 90.0, 135.0, -45.0, -135.0, 150.0}) {
+        Cue cue = cueOf(CueKind::Prepare, at(ManoeuvreKind::Door));
+        cue.turnFirst = fromDegrees(turn);
+        list.push_back({QStringLiteral("turn %1 on the spot").arg(turn), cue, true});
+    }
+    for (auto kind : {ManoeuvreKind::Door, ManoeuvreKind::Opening}) {
+        Manoeuvre straight = at(kind);
+        straight.behind = fromDegrees(0.0);
+        const QString name = QString::fromStdString(routing::manoeuvreKindName(kind));
+        const Cue two = then(cueOf(CueKind::Act, straight), straight);
+        list.push_back({name + QStringLiteral(", and another straight behind"), two, false});
+        Cue bend = two;
+        bend.manoeuvre->behind = fromDegrees(90.0);
+        list.push_back({name + QStringLiteral(", a turn, and another straight on"), bend, false});
+    }
+    list.push_back({"arrived, unsure, no name", unsure(cueOf(CueKind::Arrived)), false});
+    list.push_back({"already there, unsure, no name", unsure(cueOf(CueKind::AlreadyThere)), false});
+    list.push_back(
+        {"act, arrive, unsure, no name", unsure(cueOf(CueKind::Act, at(ManoeuvreKind::Arrive))), false});
+}
+
 } // namespace
 
 std::vector<NamedCue> representativeCues() {
@@ -301,6 +394,7 @@ std::vector<NamedCue> representativeCues() {
     addDetections(list);
     addCountedDoors(list);
     addAnswers(list);
+    addEveryWord(list);
     return list;
 }
 

@@ -172,6 +172,8 @@ void decorate(Cue& cue, const std::string& name, int variant) {
     cue.routeVersion = variant % 2 == 0 ? 1 : 0;
     cue.asked = variant % 7 == 6;
     if (variant % 3 == 1) cue.distanceM = 0.4 + 7.0 * variant;
+    if (variant % 5 == 4) cue.firstM = 6.5 + variant;
+    cue.soon = variant % 5 != 1;
     if (variant % 5 == 2) cue.hour = 1 + variant % 12;
     if (variant % 6 == 5) cue.turnFirst = fromDegrees(-100.0);
     if (variant % 4 == 1) cue.mark = Mark{Kind::Extinguisher, variant % 8 == 1 ? Side::Left : Side::None};

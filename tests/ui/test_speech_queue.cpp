@@ -135,6 +135,9 @@ private Q_SLOTS:
     void cueOfAnotherPlaceIsNeverSpoken();
     void cueOfAnOldRouteIsCutOff();
     void nothingToMoveWaitsBehindStop();
+    void theAnnouncementOfAnOrderIsHeardToItsEnd();
+    void anOldDistanceIsNotSpoken();
+    void whoTurnsIsToldToStopEachTime();
     void theLastOrderIsHeardToItsEnd();
     void actMakesItsPreparationSuperfluous();
     void sameTextIsNotRepeatedWithin15Seconds();
@@ -152,6 +155,57 @@ private Q_SLOTS:
 };
 
 /// Who goes through the last door hears all of "go through the door", then that it was the last one.
+void TestSpeechQueue::theAnnouncementOfAnOrderIsHeardToItsEnd() {
+    Walk walk;
+    walk.queue.add(turn(CueKind::Prepare, -90));
+    walk.queue.add(turn(CueKind::Act, -90, 0.0, 4.0));
+    QCOMPARE(walk.output.said.last(), kSoonRight);
+    walk.finishAll();
+    QCOMPARE(walk.output.said, (QStringList{kSoonRight, kRight}));
+
+    // Of another corner, and of a place that has been passed by then.
+    Walk other;
+    other.queue.add(turn(CueKind::Prepare, -90, 5.0));
+    other.queue.add(turn(CueKind::Act, 90, 0.0, 4.0));
+    QCOMPARE(other.output.said.last(), kLeft);
+    Walk passed;
+    passed.queue.add(turn(CueKind::Prepare, -90));
+    Cue act = turn(CueKind::Act, -90, 0.0, 4.0);
+    act.validUntil = 8.0;
+    passed.queue.add(act);
+    passed.queue.setNow(8.5, RegionId("corridor"), 0);
+    passed.finishAll();
+    QCOMPARE(passed.output.said, QStringList{kSoonRight});
+}
+
+void TestSpeechQueue::anOldDistanceIsNotSpoken() {
+    Walk walk;
+    walk.queue.add(turn(CueKind::Act, 90));
+    Cue soon = turn(CueKind::Prepare, -90, 1.0, 1.0);
+    soon.distanceM = 6.0;
+    soon.validUntil = 30.0;
+    walk.queue.add(soon);
+    walk.queue.setNow(4.0, RegionId("corridor"), 0);
+    walk.finishAll();
+    QCOMPARE(walk.output.said.last(), kSoonRight);
+    soon.time = 20.0;
+    soon.manoeuvre->position = {50.0, 0.0};
+    walk.queue.add(soon);
+    QCOMPARE(walk.output.said.last(), QStringLiteral("In about 6 metres, turn right."));
+}
+
+void TestSpeechQueue::whoTurnsIsToldToStopEachTime() {
+    Walk walk;
+    Cue done = cueOf(CueKind::Unsure, CuePriority::OffRoute, 1.0);
+    done.sweep = farol::guidance::SweepStep::Done;
+    walk.queue.add(done);
+    walk.finishAll();
+    done.time = 11.0;
+    walk.queue.add(done);
+    walk.finishAll();
+    QCOMPARE(walk.output.said.size(), 2);
+}
+
 void TestSpeechQueue::theLastOrderIsHeardToItsEnd() {
     const auto order = [](CueKind kind, const char* into) {
         Cue cue = turn(kind, 0.0);

@@ -15,8 +15,8 @@ using routing::ManoeuvreKind;
 
 namespace {
 
-/// Nobody walks so far the wrong way within a small room.
-constexpr double kFarM = 5.0;
+/// Nobody walks further the wrong way without a word; in a room one finds the walls sooner.
+constexpr double kFarM = 5.0, kFarInRoomM = 8.0;
 
 } // namespace
 
@@ -35,7 +35,7 @@ QString Phrasebook::sentence(const Cue& cue) const {
     case CueKind::OffRoute:
         return offRoute(cue);
     case CueKind::Unsure:
-        return lookAround(cue.sweep);
+        return lookAround(cue);
     case CueKind::Located:
         return located(cue);
     case CueKind::Detection:
@@ -68,7 +68,7 @@ QString Phrasebook::routeStart(const Cue& cue) const {
     sentences << (destination.isEmpty() ? tr("I have found the way.")
                                         : tr("Destination: %1.").arg(destination));
     const int count = cue.sure ? counted(cue.distanceM) : 0;
-    if (count > 0) sentences << length(count);
+    if (count > 0 && count != counted(cue.firstM)) sentences << length(count);
 
     // "Start" is nothing to do in itself: the manoeuvre behind it is the first one.
     Cue first = cue;
@@ -79,12 +79,20 @@ QString Phrasebook::routeStart(const Cue& cue) const {
     if (!first.manoeuvre) return spoken::joined(sentences);
     const QString turning = facing(cue);
     const QString opener = !turning.isEmpty() ? tr("Then") : cue.sure ? tr("First") : tr("First, probably");
-    sentences << turning << announcedFirst(first, opener, *first.manoeuvre);
+    sentences << turning << announcedFirst(first, firstOpener(cue, opener), *first.manoeuvre);
     // Along a corridor there are two ways to go, and only walking tells which one the user faces.
-    const bool far = first.manoeuvre->atM >= kFarM && cue.fromKind != building::RegionKind::Room;
+    const double farM = cue.fromKind == building::RegionKind::Room ? kFarInRoomM : kFarM;
+    const bool far = first.manoeuvre->atM >= farM;
     if (!cue.facingWay && turning.isEmpty() && far)
         sentences << tr("Start slowly: I will tell you if it is the wrong way.");
     return spoken::joined(sentences);
+}
+
+/// "In about 15 metres" instead of "first": told from afar, a door without a distance is taken for the next
+/// one at hand.
+QString Phrasebook::firstOpener(const Cue& cue, const QString& near) const {
+    const int count = cue.sure ? counted(cue.firstM) : 0;
+    return count > 0 ? ahead(count) : near;
 }
 
 /// Which way to turn before the way begins: only when the cue knows which way the user faces.
@@ -99,17 +107,30 @@ QString Phrasebook::prepare(const Cue& cue) const {
     if (!cue.manoeuvre) return {};
     // A thing that is felt tells more than metres do.
     const int metres = cue.sure && !cue.mark ? counted(cue.distanceM) : 0;
-    const QString opener = metres > 0 ? ahead(metres) : cue.sure ? tr("Soon") : tr("Soon, probably");
-    return spoken::joined({facing(cue), announced(cue, opener, *cue.manoeuvre)});
+    const QString turning = facing(cue);
+    const QString opener = metres > 0           ? ahead(metres)
+                           : !turning.isEmpty() ? tr("Then")
+                           : cue.soon           ? (cue.sure ? tr("Soon") : tr("Soon, probably"))
+                                                : (cue.sure ? tr("From here") : tr("From here, probably"));
+    return spoken::joined({turning, announced(cue, opener, *cue.manoeuvre)});
 }
 
 QString Phrasebook::reassure(const Cue& cue) const {
-    if (!cue.sure) return tr("Keep moving forward. You are probably on the right way.");
+    if (!cue.sure) return tr("Keep moving forward. You are probably going the right way.");
     const int count = counted(cue.distanceM);
     return count > 0 ? keepMoving(count) : tr("Keep moving forward.");
 }
 
-QString Phrasebook::lookAround(guidance::SweepStep step) {
+/// Whoever asks where they are hears first that this is not known.
+QString Phrasebook::lookAround(const Cue& cue) {
+    using guidance::SweepStep;
+    const bool under =
+        cue.sweep == SweepStep::Left || cue.sweep == SweepStep::Up || cue.sweep == SweepStep::Down;
+    const QString unknown = cue.asked && under ? tr("I do not know yet where you are.") : QString();
+    return spoken::joined({unknown, sweepWords(cue.sweep)});
+}
+
+QString Phrasebook::sweepWords(guidance::SweepStep step) {
     using guidance::SweepStep;
     switch (step) {
     case SweepStep::None:
@@ -156,7 +177,7 @@ QString Phrasebook::offRoute(const Cue& cue) const {
     }
     if (!cue.manoeuvre) return spoken::joined({left, tr("Stop for a moment.")});
     const QString turning = facing(cue);
-    const QString opener = turning.isEmpty() ? tr("From here") : tr("Then");
+    const QString opener = firstOpener(cue, turning.isEmpty() ? tr("From here") : tr("Then"));
     return spoken::joined({left, turning, announcedFirst(cue, opener, *cue.manoeuvre)});
 }
 
@@ -236,7 +257,8 @@ QString Phrasebook::whatAround(const guidance::Surrounding& what) {
 QString Phrasebook::around(const Cue& cue) const {
     QStringList sentences{located(cue)};
     if (cue.around.empty()) return spoken::joined(sentences << tr("I know of nothing near you."));
-    if (cue.bearing == guidance::Bearing::AlongWay) sentences << tr("The directions are those of your way.");
+    if (cue.bearing == guidance::Bearing::AlongWay)
+        sentences << tr("The directions are as you face along your way.");
     if (cue.bearing == guidance::Bearing::Map) sentences << tr("The directions are those of the map.");
     QStringList directions;
     QList<QStringList> things;

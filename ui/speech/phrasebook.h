@@ -84,11 +84,13 @@ private:
     QString tail(const guidance::Cue& cue, const Manoeuvre& manoeuvre) const;
 
     QString facing(const guidance::Cue& cue) const;
+    QString firstOpener(const guidance::Cue& cue, const QString& near) const;
     QString routeStart(const guidance::Cue& cue) const;
     QString prepare(const guidance::Cue& cue) const;
     QString act(const guidance::Cue& cue) const;
     QString reassure(const guidance::Cue& cue) const;
-    static QString lookAround(guidance::SweepStep step);
+    static QString lookAround(const guidance::Cue& cue);
+    static QString sweepWords(guidance::SweepStep step);
     QString arrived(const guidance::Cue& cue) const;
     QString offRoute(const guidance::Cue& cue) const;
     static QString offRouteLead(const guidance::Cue& cue);

@@ -6,6 +6,8 @@
 #include "ui/speech/phrasebook.h"
 #include "ui/speech/spoken.h"
 
+#include <QLocale>
+
 #include <algorithm>
 #include <cmath>
 
@@ -130,13 +132,9 @@ QString Phrasebook::featureNoun(Feature feature) {
     return {};
 }
 
-/// "The door is on your left.", with a marker for the direction.
+/// "The stairs are on your left.", with a marker for the direction. Doors have clauses of their own.
 QString Phrasebook::placeSentence(Feature feature, bool sure) {
     switch (feature) {
-    case Feature::Door:
-        return sure ? tr("The door is %1.") : tr("The door is probably %1.");
-    case Feature::Opening:
-        return sure ? tr("The opening is %1.") : tr("The opening is probably %1.");
     case Feature::StairsUp:
     case Feature::StairsDown:
     case Feature::Stairs:
@@ -153,6 +151,8 @@ QString Phrasebook::placeSentence(Feature feature, bool sure) {
     case Feature::RampDown:
     case Feature::Ramp:
         return sure ? tr("The ramp is %1.") : tr("The ramp is probably %1.");
+    case Feature::Door:
+    case Feature::Opening:
     case Feature::None:
         break;
     }
@@ -327,7 +327,8 @@ QString Phrasebook::markClause(const Cue& cue) const {
 }
 
 QString Phrasebook::levelWords(const Cue& cue) {
-    return spoken::level(cue.levelName, tr("level %1"), tr("minus %1"));
+    return spoken::level(cue.levelName, tr("level %1"), tr("minus %1"),
+                         QLocale(installedLanguage()).decimalPoint());
 }
 
 /// The place one comes to: its name, else what it is. Stairwells and lifts are felt.
@@ -367,6 +368,7 @@ QString Phrasebook::placeBehind(const Cue& cue, const Manoeuvre& manoeuvre) {
 /// What comes with the manoeuvre: steps, the button to press, the place one comes to, what to do right after.
 /// Announced from afar, only what one has to know by then.
 QString Phrasebook::tail(const Cue& cue, const Manoeuvre& manoeuvre) const {
+    if (cue.sure && cue.firstM) return {}; // far off: told again before it counts
     QStringList sentences{stepsSentence(manoeuvre)};
     const bool follows = followsAtOnce(cue);
     const bool isPrepare = cue.kind == CueKind::Prepare && !cue.asked;

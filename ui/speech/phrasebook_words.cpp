@@ -202,7 +202,9 @@ QString Phrasebook::turnWords(Radians turn) const {
 
 /// For somebody who stands: a corner is walked round, this is not.
 QString Phrasebook::turnOnTheSpot(Radians turn) const {
-    if (m_style != DirectionStyle::LeftRight || !std::isfinite(turn.value)) return turnWords(turn);
+    if (!std::isfinite(turn.value)) return turnWords(turn);
+    turn = guidance::turnOnTheSpot(turn);
+    if (m_style != DirectionStyle::LeftRight) return turnWords(turn);
     switch (guidance::turnWord(turn)) {
     case TurnWord::SlightLeft:
         return tr("turn slightly left", "on the spot");

@@ -14,6 +14,7 @@ namespace {
 
 constexpr double kRepeatSeconds = 15.0;
 constexpr double kJumpSeconds = 5.0;
+constexpr double kOldDistanceSeconds = 1.5; ///< more than a metre of walking
 constexpr int kDefaultGapMs = 1000;
 
 bool tellsToMove(CueKind kind) {
@@ -41,6 +42,15 @@ bool sameManoeuvre(const Cue& a, const Cue& b) {
     if (!a.manoeuvre) return true;
     return a.manoeuvre->kind == b.manoeuvre->kind && a.manoeuvre->access == b.manoeuvre->access &&
            a.manoeuvre->from == b.manoeuvre->from && a.manoeuvre->position == b.manoeuvre->position;
+}
+
+/// The order to act waits for the end of the words that announce the very same: "… on your" cut off before
+/// "left" leaves open where.
+bool announcesIt(const Cue& told, const Cue& order) {
+    const bool announces = told.kind == CueKind::Prepare || told.kind == CueKind::RouteStart ||
+                           (told.kind == CueKind::OffRoute && told.manoeuvre);
+    return announces && order.kind == CueKind::Act && order.manoeuvre && !order.turnFirst &&
+           told.routeVersion == order.routeVersion && sameManoeuvre(told, order);
 }
 
 /// "Go through the door", while the user does just that: "you have arrived" can wait for its end.
@@ -93,7 +103,8 @@ bool SpeechQueue::toldLately(const Utterance& utterance) const {
     auto same = [&](const Cue& cue, const QString& text) {
         return text == utterance.text && sameManoeuvre(cue, utterance.cue);
     };
-    if (utterance.cue.asked) return false; // whoever asks twice wants to hear it twice
+    if (utterance.cue.asked) return false;                   // whoever asks twice wants to hear it twice
+    if (utterance.cue.kind == CueKind::Unsure) return false; // who turns has to be told to stop, each time
     if (m_current && same(m_current->cue, m_current->text)) return true;
     return std::any_of(m_told.begin(), m_told.end(), [&](const Told& told) {
         return m_now - told.cue.time < kRepeatSeconds && same(told.cue, told.text);
@@ -155,6 +166,7 @@ void SpeechQueue::interruptFor(const Cue& cue) {
     const bool contradicts =
         endsTheWay(cue) && tellsToMove(m_current->cue.kind) && !isLastOrder(m_current->cue, cue);
     if (cue.priority >= m_current->cue.priority && !contradicts) return;
+    if (announcesIt(m_current->cue, cue)) return;
     // A remark such as "the recording has stopped" must not cost the user the turn that was being told.
     std::optional<Utterance> again;
     if (cue.kind == CueKind::Warning && !endsTheWay(cue) && actionable(m_current->cue)) again = m_current;
@@ -204,11 +216,21 @@ void SpeechQueue::speakNext() {
     if (m_waiting.empty()) return;
     m_current = std::move(m_waiting.front());
     m_waiting.erase(m_waiting.begin());
+    dropOldDistance(*m_current);
     m_current->state = UtteranceState::Speaking;
     if (actionable(m_current->cue)) m_lastActionable = m_current;
     const Utterance started = *m_current;
     Q_EMIT changed(started);
     m_output->say(started.text);
+}
+
+/// "In about 6 metres" that had to wait is 4 metres by now: "soon".
+void SpeechQueue::dropOldDistance(Utterance& utterance) {
+    const bool moves = utterance.cue.kind == CueKind::Prepare || utterance.cue.kind == CueKind::Reassure;
+    if (utterance.own || !moves || !utterance.cue.distanceM) return;
+    if (m_now - utterance.cue.time <= kOldDistanceSeconds) return;
+    utterance.cue.distanceM.reset();
+    utterance.text = m_phrasebook.sentence(utterance.cue);
 }
 
 void SpeechQueue::pauseThenNext() {
@@ -251,6 +273,7 @@ void SpeechQueue::repeatLast() {
     if (m_lastActionable && !old) {
         again.cue = m_lastActionable->cue;
         again.cue.distanceM.reset();
+        again.cue.firstM.reset();
         again.cue.hour.reset();
         again.cue.turnFirst.reset();
         again.cue.time = m_now;

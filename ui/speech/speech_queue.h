@@ -78,6 +78,7 @@ private:
     void enqueue(Utterance utterance);
     void interruptFor(const guidance::Cue& cue);
     void speakNext();
+    void dropOldDistance(Utterance& utterance);
     void pauseThenNext();
     void finish(UtteranceState state);
     void connectOutput();

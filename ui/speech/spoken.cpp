@@ -29,7 +29,8 @@ QString shortened(const std::string& read) {
     return text.left(space > kLongestText / 2 ? space : kLongestText);
 }
 
-QString level(const std::string& fromMap, const QString& levelWord, const QString& minusWord) {
+QString level(const std::string& fromMap, const QString& levelWord, const QString& minusWord,
+              const QString& decimalPoint) {
     QString text = name(fromMap);
     static const QRegularExpression word(QStringLiteral("\\p{L}{3}"));
     const bool isName = text.isEmpty() || word.match(text).hasMatch();
@@ -37,7 +38,12 @@ QString level(const std::string& fromMap, const QString& levelWord, const QStrin
     static const QRegularExpression negative(QStringLiteral("(?<=^|\\s)[-\u2212](\\d\\S*)"));
     if (const auto match = negative.match(text); match.hasMatch())
         text.replace(match.capturedStart(), match.capturedLength(), minusWord.arg(match.captured(1)));
-    return isName ? text : levelWord.arg(text);
+    if (isName) return text;
+    // A level without a name, such as 0.5, is a number; voices of other languages read its dot as nothing.
+    static const QRegularExpression half(QStringLiteral("^(.*\\d)\\.(\\d)$"));
+    if (const auto match = half.match(text); match.hasMatch())
+        text = match.captured(1) + decimalPoint + match.captured(2);
+    return levelWord.arg(text);
 }
 
 QString capitalised(QString text) {

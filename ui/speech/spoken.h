@@ -14,7 +14,8 @@ QString name(const std::string& fromMap);
 /// What was read on a wall, which can be a whole notice, cut at a word.
 QString shortened(const std::string& read);
 /// A level as people say it: "Floor 2" stays, "2" becomes "level 2" and "-1" "level minus 1".
-QString level(const std::string& fromMap, const QString& levelWord, const QString& minusWord);
+QString level(const std::string& fromMap, const QString& levelWord, const QString& minusWord,
+              const QString& decimalPoint);
 QString capitalised(QString text);
 /// A clause as a sentence: upper case in front, a stop behind.
 QString sentence(QString clause);

@@ -1,5 +1,7 @@
 #include "ui/speech/voice.h"
 
+#include "ui/speech/pronounced.h"
+
 #include <QAudioDevice>
 #include <QCoreApplication>
 #include <QDir>
@@ -91,7 +93,7 @@ void Voice::say(int serial, const QString& text) {
         fail(tr("There is no sound device. Connect headphones or a loudspeaker."));
         return;
     }
-    m_engine->say(text);
+    m_engine->say(spoken::pronounced(text, m_choice.language));
     if (m_serial == serial && m_endsToIgnore == 0 && m_engine->state() == QTextToSpeech::Speaking)
         m_begun = true;
 }

@@ -180,6 +180,8 @@ int run(const RunOptions& options) {
 
     session::SessionOptions sessions = sessionOptions(options);
     if (auto loaded = loadEyes(options, sessions.perception); !loaded) return report(loaded.error());
+    // A simulated walker hears every cue; people hear what is spoken.
+    sessions.navigator.heardIsReported = options.speak && walker == nullptr;
     WalkPrinter printer(options.jsonLines, building);
     std::optional<WalkSpeech> speech;
     if (options.speak) speech.emplace(options.language);
@@ -189,6 +191,7 @@ int run(const RunOptions& options) {
     if (!session) return report(session.error());
     if (start) (*session)->setStart(start->region);
     if (destination) (*session)->setDestination(destination);
+    if (speech) speech->setHeard([&](const guidance::Cue& cue) { (*session)->heard(cue.id); });
     return walk(**session, speech ? &*speech : nullptr);
 }
 

@@ -25,6 +25,7 @@ WalkSpeech::WalkSpeech(const std::string& language)
     : m_output(makeVoice(language)), m_queue(*m_output, m_phrasebook) {
     QObject::connect(&m_queue, &ui::SpeechQueue::changed, &m_queue, [this](const ui::Utterance& utterance) {
         m_speaking = utterance.state == ui::UtteranceState::Speaking;
+        if (m_speaking && m_heard) m_heard(utterance.cue);
         leaveWhenSilent();
     });
     QObject::connect(&m_queue, &ui::SpeechQueue::trouble, &m_queue, [this](const QString& message) {

@@ -4,8 +4,10 @@
 #include "core/session/percept.h"
 #include "ui/speech/speech_queue.h"
 
+#include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 
 namespace farol::cli {
 
@@ -23,6 +25,8 @@ public:
     void abort();
 
     void run(); ///< the event loop; main thread
+    /// Called with what the voice begins to say. Main thread, before run().
+    void setHeard(std::function<void(const guidance::Cue& cue)> heard) { m_heard = std::move(heard); }
 
 private:
     void leaveWhenSilent();
@@ -30,6 +34,7 @@ private:
     ui::Phrasebook m_phrasebook;
     std::unique_ptr<ui::SpeechOutput> m_output;
     ui::SpeechQueue m_queue;
+    std::function<void(const guidance::Cue& cue)> m_heard;
     bool m_speaking = false, m_finishing = false, m_told = false;
 };
 

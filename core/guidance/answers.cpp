@@ -20,7 +20,7 @@ namespace {
 constexpr double kAnswerSeconds = 15.0;
 /// "In or next to" has to be true.
 constexpr double kNearConfidence = 0.8;
-constexpr double kFreshSeconds = 3.0;
+constexpr double kAnswerFreshSeconds = 3.0;
 constexpr Radians kGoodHeading = fromDegrees(30.0);
 constexpr double kLandmarkM = 8.0;
 constexpr double kHereM = 0.7; // nearer, a thing has no direction
@@ -110,7 +110,7 @@ Bearing CueStep::bearing(Radians& zero) const {
     const building::Landmark* seen = m_building.landmark(m_fix.landmark);
     bool place = seen != nullptr && seen->kind == Kind::Place;
     bool measured = m_fix.headingSigma.value > 0.0 && m_fix.headingSigma.value <= kGoodHeading.value;
-    if (m_fix.heading && (place || measured) && age() <= kFreshSeconds) {
+    if (m_fix.heading && (place || measured) && age() <= kAnswerFreshSeconds) {
         zero = *m_fix.heading;
         return Bearing::Facing;
     }
@@ -212,7 +212,7 @@ Cue CueStep::answerNext() const {
     if (m_progress.travel == Travel::Arrived) return arrivalCue();
     if (!m_progress.next) return lookAround();
     bool isNear = m_progress.distanceM && *m_progress.distanceM <= m_options.actDistanceM &&
-                  age() <= kFreshSeconds && m_fix.sigmaM <= m_options.maxSigmaForActM;
+                  age() <= kAnswerFreshSeconds && m_fix.sigmaM <= m_options.maxSigmaForActM;
     Cue cue = routeCue(isNear ? CueKind::Act : CueKind::Prepare, CuePriority::Answer, kAnswerSeconds);
     if (!isNear && distanceIsGood()) cue.distanceM = m_progress.distanceM;
     cue.soon = isSoon();

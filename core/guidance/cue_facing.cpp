@@ -14,12 +14,9 @@ using routing::ManoeuvreKind;
 
 namespace {
 
-constexpr double kFreshSeconds = 2.0; ///< 1.6 m of walking
 constexpr Radians kGoodFacing = fromDegrees(25.0), kFollowedFacing = fromDegrees(35.0);
 /// The first point of a way that is this far off tells in which direction it begins.
 constexpr double kFacingM = 1.0;
-/// Below, the user faces the way well enough to just walk.
-constexpr Radians kTurnFirst = fromDegrees(60.0);
 /// So near to what one came through by mistake one has not turned yet.
 constexpr double kBackM = 3.0;
 /// So near to a door what counts is in which wall it is, not where its middle lies.
@@ -31,8 +28,6 @@ constexpr double kTurningSeconds = 4.0; ///< to hear of a turn and to make it
 /// Who faces this far from the way for so long goes wrong; but first the words and the turn take their time.
 constexpr Radians kAway = fromDegrees(100.0);
 constexpr double kAwaySeconds = 2.0, kTurnedBySeconds = 7.0;
-/// The way to a manoeuvre that is straight but for so much.
-constexpr double kStraightM = 0.5;
 
 } // namespace
 

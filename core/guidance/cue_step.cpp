@@ -19,8 +19,6 @@ namespace {
 constexpr double kUsableConfidence = 0.05;
 /// How fast a position gets stale: the pace of a blind walker (routing::RouteOptions).
 constexpr double kWalkingSpeed = 0.8;
-/// An order to act rests on a position no older than this: 1.6 m of walking.
-constexpr double kFreshSeconds = 2.0;
 /// An order to act does not cut off the announcement of the same manoeuvre, unless it is due at once.
 constexpr double kActAfterPrepareSeconds = 4.0;
 constexpr double kActAtOnceSeconds = 3.0;
@@ -35,7 +33,6 @@ constexpr double kOnStairsSeconds = 60.0;
 constexpr double kCountingM = 4.0;
 constexpr double kBesideM = 1.8; ///< a way too short to walk along a wall
 constexpr double kJustEnteredSeconds = 2.0;
-constexpr double kStraightM = 0.5;
 /// What follows within this distance is told in the same breath.
 constexpr double kCompoundM = 4.0;
 /// The length of the way is told although the spot in the start region is unknown once it is longer than
@@ -51,8 +48,6 @@ constexpr double kActSeconds = 4.0, kPrepareSeconds = 6.0, kStartSeconds = 15.0,
                  kArrivalSeconds = 20.0, kOffRouteSeconds = 8.0, kRefusalSeconds = 20.0;
 /// Who walks this far off the direction of the way does not walk along it.
 constexpr Radians kAgainst = fromDegrees(110.0);
-/// Below, the user faces the way well enough to just walk.
-constexpr Radians kTurnFirst = fromDegrees(60.0);
 /// Who has been told nothing since a place was entered, and does not get on, waits for a word; who does not
 /// get on is told again, less and less often.
 constexpr double kUntoldSeconds = 5.0, kSeldomSeconds = 60.0;

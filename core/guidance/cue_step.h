@@ -80,6 +80,13 @@ public:
     Cue answer(Question question) const;
 
 private:
+    /// What is told of the very spot rests on a position and a heading no older than this: 1.6 m of walking.
+    static constexpr double kFreshSeconds = 2.0;
+    /// Below, the user faces the way well enough to just walk.
+    static constexpr Radians kTurnFirst = fromDegrees(60.0);
+    /// A way that is no more than this longer than the straight line is straight.
+    static constexpr double kStraightM = 0.5;
+
     Cue answerWhere() const;
     Cue answerAround() const;
     Cue answerNext() const;

@@ -370,6 +370,10 @@ void NavigationSession::ask(guidance::Question question) {
     m_impl->inbox.post(Command(AskCommand{question}));
 }
 
+void NavigationSession::heard(std::uint64_t cue) {
+    m_impl->inbox.post(Command(HeardCommand{cue}));
+}
+
 void NavigationSession::pause() {
     m_impl->inbox.pause();
 }

@@ -70,6 +70,8 @@ public:
     void setLanguage(const std::string& language); ///< of the map's names: "pt"
     /// The answer comes as a cue to the `warning` handler, also while paused.
     void ask(guidance::Question question);
+    /// With NavigatorOptions::heardIsReported: the voice has begun to say that cue.
+    void heard(std::uint64_t cue);
     void pause();
     void resume();
     void stepOnce(); ///< one frame, then paused

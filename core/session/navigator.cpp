@@ -10,6 +10,7 @@ namespace {
 
 constexpr const char* kGuidedLocalisers = "bayes-guided";
 constexpr double kGuidedSure = 0.8;
+constexpr std::size_t kMostUnheard = 32; // what waits longer to be said is not said any more
 
 Result<std::shared_ptr<const routing::Planner>>
 makePlanner(const std::shared_ptr<const building::Building>& building, const NavigatorOptions& options) {
@@ -100,12 +101,14 @@ Navigator::Navigator(std::shared_ptr<const building::Building> building,
       m_localiser(std::move(localiser)),
       m_history(options.history),
       m_tracker(building, std::move(planner), trackerOptions(options)),
-      m_scheduler(building, options.guidance) {
+      m_scheduler(building, options.guidance),
+      m_heardIsReported(options.heardIsReported) {
     m_localiser->start(0.0, std::nullopt);
 }
 
 void Navigator::start(double time, const std::optional<RegionId>& region) {
     m_history.clear();
+    m_unheard.clear();
     m_localiser->start(time, region);
     m_lastFix = {};
     m_lastFix.time = time;
@@ -140,11 +143,25 @@ NavigationStep Navigator::advance(Percept percept) {
     step.fix = m_localiser->update(percept.time, step.fresh, step.history);
     step.progress = m_tracker.update(step.fix);
     step.cues = m_scheduler.update(percept.frame, step.fix, step.progress, step.fresh);
-    for (const guidance::Cue& cue : step.cues)
-        if (auto way = toldBy(*m_building, cue)) m_localiser->told(*way);
+    for (const guidance::Cue& cue : step.cues) {
+        auto way = toldBy(*m_building, cue);
+        if (way && m_heardIsReported)
+            m_unheard.emplace_back(cue.id, *way);
+        else if (way)
+            m_localiser->told(*way);
+    }
+    while (m_unheard.size() > kMostUnheard) m_unheard.pop_front();
     step.percept = std::move(percept);
     m_lastFix = step.fix;
     return step;
+}
+
+void Navigator::heard(std::uint64_t cue) {
+    auto found = std::find_if(m_unheard.begin(), m_unheard.end(),
+                              [&](const auto& unheard) { return unheard.first == cue; });
+    if (found == m_unheard.end()) return;
+    m_localiser->told(found->second);
+    m_unheard.erase(found);
 }
 
 guidance::Cue Navigator::warning(guidance::CueReason reason, std::string detail) {

@@ -8,9 +8,11 @@
 #include "core/localisation/navigation_history.h"
 #include "core/session/percept.h"
 
+#include <deque>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace farol::session {
 
@@ -21,6 +23,9 @@ struct NavigatorOptions {
     localisation::HistoryOptions history;
     guidance::TrackerOptions tracker;
     guidance::GuidanceOptions guidance;
+    /// A voice tells by heard() what it began to say, and only that counts as told: not what was muted, or
+    /// expired while it waited. False: all that is told counts.
+    bool heardIsReported = false;
 
     Result<void> check() const;
     /// Options for a user who knows the way only from what is said: the filter for them, whose confidence is
@@ -47,6 +52,8 @@ public:
     void setLanguage(std::string language);
     /// A percept whose time runs backwards counts as of the time before.
     NavigationStep advance(Percept percept);
+    /// With heardIsReported: the voice has begun to say that cue.
+    void heard(std::uint64_t cue);
     guidance::Cue warning(guidance::CueReason reason, std::string detail);
     /// For the present place; the walk goes on as if nothing had been asked.
     guidance::Cue answer(guidance::Question question);
@@ -69,6 +76,8 @@ private:
     localisation::NavigationHistory m_history;
     guidance::RouteTracker m_tracker;
     guidance::CueScheduler m_scheduler;
+    bool m_heardIsReported = false;
+    std::deque<std::pair<std::uint64_t, localisation::ToldWay>> m_unheard; ///< by the cue's id
     localisation::Fix m_lastFix;
     std::uint64_t m_lastFrame = 0;
     double m_lastTime = 0.0;

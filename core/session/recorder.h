@@ -47,8 +47,11 @@ struct MessageCommand {
 struct AskCommand {
     guidance::Question question = guidance::Question::WhereAmI;
 };
+struct HeardCommand {
+    std::uint64_t cue = 0; ///< its id
+};
 using Command = std::variant<StartCommand, DestinationCommand, VerbosityCommand, LanguageCommand,
-                             WarningCommand, MessageCommand, AskCommand>;
+                             WarningCommand, MessageCommand, AskCommand, HeardCommand>;
 using RecordEntry = std::variant<Percept, Command>;
 
 /// Writes as the walk goes, handed to the system once a frame. After a failure (full disk) it stays quiet:

@@ -172,6 +172,9 @@ Result<RecordLine> commandFrom(JsonFields& fields) {
         command = WarningCommand{reasonFrom(fields), fields.textOr("detail", "")};
     } else if (word == "message") {
         command = MessageCommand{fields.text("text")};
+    } else if (word == "heard") {
+        command = HeardCommand{
+            static_cast<std::uint64_t>(fields.integer("cue", 0, std::numeric_limits<std::int64_t>::max()))};
     } else if (word == "ask") {
         command = AskCommand{questionFrom(fields)};
     } else {
@@ -200,6 +203,7 @@ Json headerJson(const RecordingHeader& header) {
                         {"off_route_confidence", exactNumber(options.tracker.offRouteConfidence)},
                         {"min_confidence", exactNumber(options.tracker.minConfidence)}};
     inner["guidance"] = guidanceJson(options.guidance);
+    if (options.heardIsReported) inner["heard_is_reported"] = true;
     json["options"] = std::move(inner);
     return json;
 }
@@ -226,6 +230,7 @@ Result<RecordingHeader> headerFromJson(const Json& json) {
     readHistory(JsonFields(options.object("history")), header.options.history, options);
     readTracker(JsonFields(options.object("tracker")), header.options.tracker, options);
     readGuidance(JsonFields(options.object("guidance")), header.options.guidance, options);
+    header.options.heardIsReported = options.flagOr("heard_is_reported", false);
     if (!options.ok()) fields.complain("in \"options\": " + options.wrong());
     if (!fields.ok()) return fields.error();
     return header;
@@ -259,6 +264,9 @@ Json commandJson(const Command& command) {
     } else if (const auto* message = std::get_if<MessageCommand>(&command)) {
         json["command"] = "message";
         json["text"] = message->text;
+    } else if (const auto* heard = std::get_if<HeardCommand>(&command)) {
+        json["command"] = "heard";
+        json["cue"] = heard->cue;
     } else if (const auto* ask = std::get_if<AskCommand>(&command)) {
         json["command"] = "ask";
         json["question"] = guidance::questionName(ask->question);

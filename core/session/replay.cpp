@@ -112,6 +112,8 @@ void apply(const Command& command, Navigator& navigator, const ReplayHandlers& h
     } else if (const auto* warning = std::get_if<WarningCommand>(&command)) {
         guidance::Cue cue = navigator.warning(warning->reason, warning->detail);
         if (handlers.warning) handlers.warning(cue);
+    } else if (const auto* heard = std::get_if<HeardCommand>(&command)) {
+        navigator.heard(heard->cue);
     } else if (const auto* ask = std::get_if<AskCommand>(&command)) {
         guidance::Cue cue = navigator.answer(ask->question);
         if (handlers.warning) handlers.warning(cue);

@@ -52,6 +52,46 @@ TEST(Navigator, TellsTheRouteWithTheStepAfterTheDestination) {
     EXPECT_TRUE(routeTold);
 }
 
+/// Counts what it is told; the place is always the first room.
+class Counting final : public localisation::Localiser {
+public:
+    explicit Counting(int& told) : m_told(told) {}
+    void start(double, const std::optional<RegionId>&) override {}
+    void setRoute(const localisation::RouteContext&) override {}
+    void told(const localisation::ToldWay&) override { ++m_told; }
+    localisation::Fix update(double time, std::span<const localisation::Observation>,
+                             const std::deque<localisation::Observation>&) override {
+        localisation::Fix fix;
+        fix.time = fix.evidenceTime = time;
+        fix.region = RegionId("A");
+        fix.confidence = 0.9;
+        return fix;
+    }
+    std::string name() const override { return "counting"; }
+
+private:
+    int& m_told;
+};
+
+TEST(Navigator, OnlyWhatTheVoiceBeganToSayCountsAsTold) {
+    for (bool reported : {false, true}) {
+        int told = 0;
+        NavigatorOptions options;
+        options.heardIsReported = reported;
+        auto walk = Navigator::create(test::threeRooms(), options, std::make_unique<Counting>(told));
+        ASSERT_TRUE(walk);
+        (*walk)->setDestination(room("C"));
+        NavigationStep step = (*walk)->advance(test::walkThroughTheRooms().front());
+        ASSERT_FALSE(step.cues.empty());
+        EXPECT_EQ(told, reported ? 0 : 1) << "muted, or still waiting";
+        for (int twice = 0; twice < 2; ++twice)
+            for (const guidance::Cue& cue : step.cues) (*walk)->heard(cue.id);
+        EXPECT_EQ(told, 1);
+        (*walk)->heard(77777);
+        EXPECT_EQ(told, 1);
+    }
+}
+
 TEST(Navigator, SaysThatARoomCannotBeReached) {
     auto walk = navigator();
     walk->start(0.0, RegionId("A"));

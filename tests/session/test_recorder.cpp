@@ -25,6 +25,7 @@ std::vector<RecordEntry> eventfulWalk() {
                 Command(WarningCommand{guidance::CueReason::CameraLost, "the cable \"fell\" out"}));
         if (frame == 4) entries.emplace_back(Command(WarningCommand{guidance::CueReason::CameraBack, ""}));
         if (frame == 6) entries.emplace_back(Command(VerbosityCommand{guidance::Verbosity::ObjectsAndTexts}));
+        if (frame == 5) entries.emplace_back(Command(HeardCommand{2}));
         if (frame == 7) entries.emplace_back(Command(LanguageCommand{"pt"}));
         if (frame == 8)
             entries.emplace_back(
@@ -96,6 +97,7 @@ TEST_F(RecorderTest, TheOptionsOfTheWalkAreThoseOfItsReplay) {
     options.guidance.verbosity = guidance::Verbosity::Directions;
     options.guidance.language = "pt";
     options.routing.avoidStairs = true;
+    options.heardIsReported = true;
     std::vector<std::string> walked = walkAndRecord(options);
     EXPECT_EQ(replayed(), walked);
     auto recording = loadRecording(folder);
@@ -104,7 +106,19 @@ TEST_F(RecorderTest, TheOptionsOfTheWalkAreThoseOfItsReplay) {
     EXPECT_EQ(recording->header.options.history.capacity, 2U);
     EXPECT_EQ(recording->header.options.planner, "greedy");
     EXPECT_TRUE(recording->header.options.routing.avoidStairs);
+    EXPECT_TRUE(recording->header.options.heardIsReported);
     EXPECT_NE(replayed(NavigatorOptions{}), walked) << "other settings vote anew";
+}
+
+TEST_F(RecorderTest, WhatWasHeardIsInTheRecording) {
+    walkAndRecord();
+    auto recording = loadRecording(folder);
+    ASSERT_TRUE(recording);
+    int heard = 0;
+    for (const RecordEntry& entry : recording->entries)
+        if (const auto* command = std::get_if<Command>(&entry))
+            if (const auto* cue = std::get_if<HeardCommand>(command)) heard += cue->cue == 2 ? 1 : 0;
+    EXPECT_EQ(heard, 1);
 }
 
 TEST_F(RecorderTest, PicturesLieBesideTheWalk) {

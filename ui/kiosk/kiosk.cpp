@@ -117,6 +117,7 @@ void Kiosk::connectMachine() {
 }
 
 void Kiosk::connectVoice() {
+    m_walk.setVoiced(true);
     connect(&m_speech, &SpeechDesk::utteranceChanged, this, &Kiosk::utteranceCame);
     connect(&m_speech, &SpeechDesk::statusChanged, this, &Kiosk::voiceTrouble);
     connect(&m_settings, &Settings::guidanceChanged, this,
@@ -179,6 +180,7 @@ void Kiosk::utteranceCame(const Utterance& utterance) {
     const UtteranceState state = utterance.state;
     const bool heard = state == UtteranceState::Speaking || state == UtteranceState::Shown;
     if (heard) Q_EMIT spoken(utterance.text);
+    if (state == UtteranceState::Speaking && !utterance.own) m_walk.heard(utterance.cue);
     m_log.write(utterance);
     if (!m_log.trouble().isEmpty() && m_detail.isEmpty()) setDetail(m_log.trouble());
     // Who has only asked what the way is like does not set out on it.

@@ -157,6 +157,10 @@ void LivePage::connectWalk() {
         m_map->setDestination(m_walk.destination());
         markFloor();
     });
+    m_walk.setVoiced(true);
+    connect(&m_speech, &SpeechDesk::utteranceChanged, this, [this](const Utterance& utterance) {
+        if (utterance.state == UtteranceState::Speaking && !utterance.own) m_walk.heard(utterance.cue);
+    });
     connect(&m_speech, &SpeechDesk::utteranceChanged, this, &LivePage::note);
     connect(&m_speech, &SpeechDesk::statusChanged, m_instruction, &InstructionPanel::setVoice);
 }

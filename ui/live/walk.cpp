@@ -193,6 +193,8 @@ void Walk::open(bool stepOnly) {
     options.sourceName = toUtf8(m_source.name);
     options.navigator = session::NavigatorOptions::with(toUtf8(m_localiser));
     options.navigator.guidance.verbosity = m_verbosity;
+    options.navigator.heardIsReported =
+        m_voiced && !m_source.name.startsWith(QLatin1String("sim:"), Qt::CaseInsensitive);
     if (m_adjust) m_adjust(options);
     options.navigator.guidance.language = toUtf8(installedLanguage());
     m_recording = m_nextFolder ? m_nextFolder().value_or(QString()) : QString();
@@ -330,6 +332,10 @@ void Walk::followLanguage() {
 
 void Walk::ask(guidance::Question question) {
     if (m_session) m_session->ask(question);
+}
+
+void Walk::heard(const guidance::Cue& cue) {
+    if (m_session && m_voiced) m_session->heard(cue.id);
 }
 
 } // namespace farol::ui

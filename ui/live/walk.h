@@ -59,6 +59,10 @@ public:
     void followLanguage();
     /// The answer comes as a cue; without a walk none comes.
     void ask(guidance::Question question);
+    /// A voice says the cues, and tells by heard() what it has begun to say; from the next walk on. A
+    /// simulated walker hears all cues, whatever the voice does.
+    void setVoiced(bool voiced) { m_voiced = voiced; }
+    void heard(const guidance::Cue& cue);
     /// Changes the options of the next walk; called as it begins.
     void setAdjust(std::function<void(session::SessionOptions&)> adjust) { m_adjust = std::move(adjust); }
     /// Where the next walk is recorded; empty: it is not. A running walk keeps what it has.
@@ -124,6 +128,7 @@ private:
     session::RunState m_state = session::RunState::Idle;
     std::uint64_t m_serial = 0; ///< of the session whose messages count
     bool m_opening = false, m_pauseWhenOpen = false;
+    bool m_voiced = false;
     int m_loading = 0;
     bool m_playWanted = false;
     std::uint64_t m_mapJob = 0, m_libraryJob = 0;

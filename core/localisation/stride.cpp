@@ -45,7 +45,11 @@ float WalkerCloud::doorShare(std::uint32_t node) const {
 
 double WalkerCloud::climbRate(std::uint32_t node) const {
     const WalkingOptions& walking = m_options.walking;
-    if (m_told) return m_map->fits(node, *m_told) ? walking.climbRate : walking.climbUntold;
+    if (m_told) {
+        // Who was sent up one flight does not go on up the next one, unless the level was mistaken.
+        if (!m_map->fits(node, *m_told)) return walking.climbUntold;
+        return m_map->fitsHere(node, *m_told) ? walking.climbRate : walking.climbUnasked;
+    }
     return m_map->hasGoal() && m_map->leadsOn(node) ? walking.climbRate : walking.climbUnasked;
 }
 

@@ -356,6 +356,16 @@ bool WalkingMap::fits(std::uint32_t node, const ToldWay& told) const {
     return false;
 }
 
+bool WalkingMap::fitsHere(std::uint32_t node, const ToldWay& told) const {
+    if (!fits(node, told)) return false;
+    const WalkingNode& here = m_nodes[node];
+    if (here.isLift) return true;
+    double level = m_building->regions()[here.region].level;
+    return std::any_of(told.passages.begin(), told.passages.end(), [&](const ToldWay::Passage& passage) {
+        return passage.kind == here.kind && passage.level == level;
+    });
+}
+
 void WalkingMap::clearGoal() {
     m_goalRegion = kNoRegion;
     m_toGoal.clear();

@@ -77,6 +77,8 @@ public:
     bool leadsOn(std::uint32_t node) const;
     /// Could it be meant by that: a door by any door, stairs by any that go that way up or down?
     bool fits(std::uint32_t node, const ToldWay& told) const;
+    /// The same, and from the level of which it was told; a lift is left where it was told, however far on.
+    bool fitsHere(std::uint32_t node, const ToldWay& told) const;
 
 private:
     /// Most regions are rectangles, if turned: points in them are found and tested without their outline.

@@ -494,10 +494,11 @@ void CueStep::tellMeasured(const Manoeuvre& next) {
 }
 
 /// Of an opening that was told together with the one before it, nothing is left to say: what matters is what
-/// comes behind, while there is time to say it.
+/// comes behind, while there is time to say it. A door has to be found and opened; whoever hears of the
+/// stairs behind it looks for stairs.
 bool CueStep::tellWhatFollows(const Manoeuvre& next, double measuredM) {
     const std::optional<Manoeuvre>& after = m_progress.afterNext;
-    bool isGap = next.kind == ManoeuvreKind::Door || next.kind == ManoeuvreKind::Opening;
+    bool isGap = next.kind == ManoeuvreKind::Opening;
     bool isTold = toldRecently(m_memory.followed, keyOf(next), m_options.repeatAfterSeconds);
     if (!isGap || !isTold || !after || after->kind == ManoeuvreKind::Arrive || after->from != next.into ||
         !inTheSameBreath(next, after))

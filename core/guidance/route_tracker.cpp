@@ -81,6 +81,9 @@ Result<void> TrackerOptions::check() const {
         return Error{ErrorCode::InvalidArgument, "a fix off the route has to come at least once",
                      "tracker.offRouteFixes"};
     }
+    if (!(offRouteSeconds >= 0.0)) {
+        return Error{ErrorCode::InvalidArgument, "a time is not negative", "tracker.offRouteSeconds"};
+    }
     if (!(offRouteConfidence >= 0.0 && offRouteConfidence <= 1.0)) {
         return Error{ErrorCode::InvalidArgument, "a confidence is from 0 to 1", "tracker.offRouteConfidence"};
     }
@@ -162,7 +165,7 @@ Progress RouteTracker::update(const Fix& fix) {
 /// True once a surprising fix is to be acted on.
 bool RouteTracker::believed(const Fix& fix) {
     if (m_doubtCounted != fix.evidenceTime) {
-        ++m_doubtfulFixes;
+        if (++m_doubtfulFixes == 1) m_doubtSince = fix.time;
         m_doubtCounted = fix.evidenceTime;
     }
     bool arrival = m_options.arrivalConfidence > 0.0 && fix.region == m_destination->region;
@@ -171,7 +174,8 @@ bool RouteTracker::believed(const Fix& fix) {
         m_progress.doubtful = !sure && waitedLong(fix);
         return sure || m_progress.doubtful;
     }
-    return fix.confidence >= m_options.offRouteConfidence || m_doubtfulFixes >= m_options.offRouteFixes;
+    if (fix.confidence >= m_options.offRouteConfidence) return true;
+    return m_doubtfulFixes >= m_options.offRouteFixes && fix.time - m_doubtSince >= m_options.offRouteSeconds;
 }
 
 bool RouteTracker::waitedLong(const Fix& fix) {

@@ -31,8 +31,10 @@ std::string travelName(Travel travel);
 
 struct TrackerOptions {
     /// A fix off the route, one that jumps over regions of it, or one in the destination is believed once it
-    /// came this often in a row (each time from a new observation), or at this confidence at once.
+    /// came this often in a row (each time from a new observation) and has lasted so long, or at this
+    /// confidence at once. Who is sent back by a guess is lost, who walks on for some seconds is not.
     int offRouteFixes = 2;
+    double offRouteSeconds = 0.0;
     double offRouteConfidence = 0.6;
     double minConfidence = 0.0; ///< fixes below change nothing
     /// Above 0: a fix in the destination is believed at this confidence only, and only once something was
@@ -84,6 +86,7 @@ private:
     std::vector<std::optional<std::size_t>> m_regionOf; ///< of each manoeuvre: index into route->regions
     int m_doubtfulFixes = 0;                            ///< in a row, off the route or jumping along it
     std::optional<double> m_doubtCounted;               ///< evidenceTime of the last of them
+    double m_doubtSince = 0.0;                          ///< time of the first of them
     std::optional<double> m_thereSince;    ///< taken to be in the destination all the while since
     std::optional<RegionId> m_refusedFrom; ///< planning from there failed
 

@@ -15,11 +15,13 @@ namespace farol::recognition {
 namespace {
 
 /// Tesseract's own threads cost more than they bring for single lines (measured: a third of the time), and
-/// the cores are wanted elsewhere. It offers no switch; OpenMP does, for the calling thread.
+/// the cores are wanted elsewhere. It offers no switch; OpenMP does, for the calling thread. Part of the
+/// network asks for four threads by name, so a wish for one is not enough: no level of threads is allowed.
 void oneOpenMpThread() {
-    using SetThreads = void (*)(int);
-    static const auto kSetThreads = reinterpret_cast<SetThreads>(dlsym(RTLD_DEFAULT, "omp_set_num_threads"));
-    if (kSetThreads != nullptr) kSetThreads(1);
+    using SetNumber = void (*)(int);
+    static const auto kSetLevels =
+        reinterpret_cast<SetNumber>(dlsym(RTLD_DEFAULT, "omp_set_max_active_levels"));
+    if (kSetLevels != nullptr) kSetLevels(0);
 }
 
 /// What Tesseract prints on stderr stands in our errors.

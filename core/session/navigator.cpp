@@ -26,10 +26,12 @@ makePlanner(const std::shared_ptr<const building::Building>& building, const Nav
 /// The filter's confidence is a probability, and "you have arrived" is to be true.
 guidance::TrackerOptions trackerOptions(const NavigatorOptions& options) {
     constexpr double kArrivalConfidence = 0.97, kPatientSeconds = 20.0;
+    constexpr double kGuessedSeconds = 3.0; // that the way was left
     guidance::TrackerOptions tracker = options.tracker;
     bool filter = options.localiser.rfind("bayes", 0) == 0;
     if (filter && tracker.arrivalConfidence == 0.0) tracker.arrivalConfidence = kArrivalConfidence;
     if (filter && tracker.patientSeconds == 0.0) tracker.patientSeconds = kPatientSeconds;
+    if (filter && tracker.offRouteSeconds == 0.0) tracker.offRouteSeconds = kGuessedSeconds;
     return tracker;
 }
 

@@ -130,6 +130,7 @@ void readTracker(JsonFields fields, guidance::TrackerOptions& options, JsonField
     options.offRouteFixes = static_cast<int>(
         fields.integerOr("off_route_fixes", 0, std::numeric_limits<int>::max(), options.offRouteFixes));
     options.offRouteConfidence = fields.numberOr("off_route_confidence", options.offRouteConfidence);
+    options.offRouteSeconds = fields.numberOr("off_route_s", options.offRouteSeconds);
     options.minConfidence = fields.numberOr("min_confidence", options.minConfidence);
     if (!fields.ok()) outer.complain("in \"tracker\": " + fields.wrong());
 }
@@ -201,6 +202,7 @@ Json headerJson(const RecordingHeader& header) {
                         {"duplicate_overlap", exactNumber(options.history.duplicateOverlap)}};
     inner["tracker"] = {{"off_route_fixes", options.tracker.offRouteFixes},
                         {"off_route_confidence", exactNumber(options.tracker.offRouteConfidence)},
+                        {"off_route_s", exactNumber(options.tracker.offRouteSeconds)},
                         {"min_confidence", exactNumber(options.tracker.minConfidence)}};
     inner["guidance"] = guidanceJson(options.guidance);
     if (options.heardIsReported) inner["heard_is_reported"] = true;

@@ -6,6 +6,7 @@
 
 using namespace farol;
 using namespace farol::guidance;
+using farol::test::AsciiMap;
 using farol::test::at;
 using farol::test::Guided;
 
@@ -57,6 +58,26 @@ TEST(Facing, WhoFacesTheWayIsNotTurned) {
     Guided walk;
     walk.tracker.setDestination(at("S"));
     for (const Cue& cue : standing(walk, "K", '3', 5.0, 20.0)) EXPECT_FALSE(cue.turnFirst);
+}
+
+/// "Then, straight away, through the next door" was said before the first one; between the two it is still to
+/// be found.
+TEST(Facing, ADoorThatWasToldWithTheOneBeforeIsNotLeftOut) {
+    auto map = AsciiMap().floor(R"(
+        +------+---+---+------+
+        |A     |L  |K  |E     |
+        |   1  / 2 / 3 /      |
+        +------+---+---+------+
+    )");
+    Guided walk(map);
+    walk.tracker.setDestination(at("E"));
+    standing(walk, "A", '1', 0.0, 1.0);
+    const std::vector<Cue> heard = standing(walk, "L", '2', 0.0, 10.0);
+    const Cue* order = lastOrder(heard);
+    ASSERT_NE(order, nullptr);
+    EXPECT_EQ(order->manoeuvre->access.value, "K-L");
+    ASSERT_TRUE(order->next);
+    EXPECT_EQ(order->next->access.value, "E-K");
 }
 
 TEST(Facing, AVagueHeadingTurnsNobody) {

@@ -147,6 +147,24 @@ TEST(RouteTracker, PlansAnewOnceTheRouteIsLeft) {
     EXPECT_FALSE(walk.progress.replanned);
 }
 
+TEST(RouteTracker, AGuessBesideTheRouteHasToLast) {
+    TrackerOptions patient;
+    patient.offRouteSeconds = 3.5 * Guided().secondsBetween;
+    Guided walk(test::corridorMap(), {}, patient);
+    walk.tracker.setDestination(at("D"));
+    walk.seen("A");
+    for (int i = 0; i < 3; ++i) walk.seen("B", 0, 0.54);
+    EXPECT_EQ(walk.progress.travel, Travel::OnRoute);
+    walk.seen("A", 0, 0.54);
+    for (int i = 0; i < 4; ++i) walk.seen("B", 0, 0.54);
+    EXPECT_EQ(walk.progress.travel, Travel::OnRoute) << "the time before does not count";
+    walk.seen("B", 0, 0.54);
+    EXPECT_EQ(walk.progress.travel, Travel::OffRoute);
+    walk.seen("B", 0, 0.9);
+    walk.seen("C", 0, 0.9);
+    EXPECT_EQ(walk.progress.travel, Travel::OffRoute) << "what is sure need not last";
+}
+
 TEST(RouteTracker, ASureFixBesideTheRouteIsBelievedAtOnce) {
     Guided walk;
     walk.tracker.setDestination(at("D"));
@@ -357,10 +375,11 @@ TEST(RouteTracker, AnUnknownStartIsNoArrivalByAGuess) {
 
 TEST(TrackerOptions, ValuesOutOfRangeAreRefused) {
     EXPECT_TRUE(TrackerOptions{}.check().ok());
-    EXPECT_FALSE((TrackerOptions{0, 0.6, 0.0}.check().ok()));
-    EXPECT_FALSE((TrackerOptions{2, 1.6, 0.0}.check().ok()));
-    EXPECT_FALSE((TrackerOptions{2, 0.6, -1.0}.check().ok()));
-    EXPECT_FALSE((TrackerOptions{2, 0.6, 0.0, 1.5}.check().ok()));
+    EXPECT_FALSE(TrackerOptions{.offRouteFixes = 0}.check().ok());
+    EXPECT_FALSE(TrackerOptions{.offRouteSeconds = -1.0}.check().ok());
+    EXPECT_FALSE(TrackerOptions{.offRouteConfidence = 1.6}.check().ok());
+    EXPECT_FALSE(TrackerOptions{.minConfidence = -1.0}.check().ok());
+    EXPECT_FALSE(TrackerOptions{.arrivalConfidence = 1.5}.check().ok());
 }
 
 } // namespace

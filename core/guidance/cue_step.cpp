@@ -31,6 +31,7 @@ constexpr double kNoReassuranceM = 3.0;
 constexpr double kOnStairsSeconds = 60.0;
 /// Later than this a door is announced even if it cannot be told which of several it is.
 constexpr double kCountingM = 4.0;
+constexpr double kIntoLiftSeconds = 10.0; ///< to find its button and wait for it
 constexpr double kBesideM = 1.8; ///< a way too short to walk along a wall
 constexpr double kJustEnteredSeconds = 2.0;
 /// What follows within this distance is told in the same breath.
@@ -424,11 +425,30 @@ void CueStep::tellManoeuvre() {
         m_memory.enteredAt = m_fix.time;
         m_memory.repeats = 0;
     }
+    if (tellRide(next)) return;
     if (m_progress.distanceM)
         tellMeasured(next);
     else
         tellUnmeasured(next);
     if (!m_routeTold) tellAgain(next);
+}
+
+/// Nothing in a lift's car tells that one is in it. Who was sent there some time ago may be, and waits to
+/// hear what to do inside.
+bool CueStep::tellRide(const Manoeuvre& door) {
+    const std::optional<Manoeuvre>& ride = m_progress.afterNext;
+    if (!ride || ride->kind != ManoeuvreKind::Elevator || ride->from != door.into) return false;
+    auto sent = m_memory.acted.find(keyOf(door));
+    bool mayBeInside = sent != m_memory.acted.end() && m_fix.time - sent->second >= kIntoLiftSeconds &&
+                       !toldRecently(m_memory.told, keyOf(door), kIntoLiftSeconds);
+    bool getsOn = m_memory.advance && m_memory.advance->along &&
+                  m_fix.time - m_memory.advance->spotTime <= kStandingSeconds;
+    if (!mayBeInside || getsOn ||
+        toldRecently(m_memory.told, keyOf(*ride), 2.0 * m_options.repeatAfterSeconds))
+        return false;
+    addManoeuvre(routeCue(CueKind::Prepare, CuePriority::Prepare, kPrepareSeconds), *ride, std::nullopt);
+    m_cues.back().validIn.push_back(door.from);
+    return true;
 }
 
 /// Silence is an answer to nobody who stands and waits.

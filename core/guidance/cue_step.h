@@ -107,6 +107,7 @@ private:
     void tellManoeuvre();
     void tellMeasured(const routing::Manoeuvre& next);
     bool tellWhatFollows(const routing::Manoeuvre& next, double measuredM);
+    bool tellRide(const routing::Manoeuvre& door);
     void tellUnmeasured(const routing::Manoeuvre& next);
     void tellAgain(const routing::Manoeuvre& next);
     void tellReassurance(double aheadM);

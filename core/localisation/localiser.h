@@ -62,6 +62,7 @@ struct ToldWay {
     struct Passage {
         building::AccessKind kind = building::AccessKind::Door;
         double level = 0.0, targetLevel = 0.0; ///< alike where the level does not change
+        bool intoLift = false;                 ///< of a door or opening: a lift's, which nobody mistakes
     };
     std::vector<Passage> passages;
 };

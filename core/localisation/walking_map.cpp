@@ -346,9 +346,13 @@ bool WalkingMap::fits(std::uint32_t node, const ToldWay& told) const {
     const WalkingNode& here = m_nodes[node];
     if (here.across < 0) return false;
     auto levelOf = [&](std::uint32_t region) { return m_building->regions()[region].level; };
-    double rises = levelOf(m_nodes[static_cast<std::size_t>(here.across)].region) - levelOf(here.region);
+    std::uint32_t beyond = m_nodes[static_cast<std::size_t>(here.across)].region;
+    double rises = levelOf(beyond) - levelOf(here.region);
+    // Whoever is told to take a lift goes through its door first.
+    bool intoLift = !here.isLift && m_building->regions()[beyond].kind == building::RegionKind::Elevator;
     for (const ToldWay::Passage& passage : told.passages) {
-        if (passage.kind != here.kind) continue;
+        if (intoLift && passage.kind == AccessKind::Elevator) return true;
+        if (passage.kind != here.kind || (passage.intoLift && !intoLift)) continue;
         // In a lift one chooses the level, on stairs only up or down.
         double wanted = passage.targetLevel - (here.isLift ? levelOf(here.region) : passage.level);
         if (rises == 0.0 ? wanted == 0.0 : rises * wanted > 0.0) return true;

@@ -57,7 +57,11 @@ std::optional<localisation::ToldWay> toldBy(const building::Building& building, 
     localisation::ToldWay way;
     for (const std::optional<routing::Manoeuvre>& each : {cue.manoeuvre, cue.next}) {
         const building::Access* access = each ? building.access(each->access) : nullptr;
-        if (access != nullptr) way.passages.push_back({access->kind, each->level, each->targetLevel});
+        if (access == nullptr) continue;
+        const building::Region* into = building.region(each->into);
+        bool lift = access->kind != building::AccessKind::Elevator && into != nullptr &&
+                    into->kind == building::RegionKind::Elevator;
+        way.passages.push_back({access->kind, each->level, each->targetLevel, lift});
     }
     return way;
 }

@@ -153,6 +153,7 @@ bool takeTask(const std::string& clause, WalkTask& task, std::optional<int>* hou
     if (std::size_t after = text.find(", after the "); after != std::string_view::npos)
         text = text.substr(0, after);
     task.feature = has(text, "opening") ? Feature::Opening : Feature::Door;
+    task.lift = liftDoor;
     task.number = ordinalIn(text);
     takeWhere(text, task, hour);
     task.ahead = (has(text, " ahead") && !has(text, "ahead, slightly")) || begins(text, "go straight on");

@@ -204,11 +204,15 @@ Touch WalkBody::touch() const {
     };
     touch.left = wall(90.0);
     touch.right = wall(-90.0);
+    auto isCar = [&](std::size_t region) {
+        return m_world->building().regions()[region].kind == building::RegionKind::Elevator;
+    };
     for (const Passage& passage : m_world->passagesOf(m_region)) {
         Felt felt;
         felt.handle = passage.access;
         felt.kind = passage.kind;
         felt.cameThrough = m_cameThrough == passage.access;
+        felt.lift = !passage.changesLevel() && (isCar(passage.from) || isCar(passage.into));
         if (passage.climb != 0.0)
             felt.vertical = passage.climb > 0.0 ? routing::Vertical::Up : routing::Vertical::Down;
         if (reaches(passage, felt)) touch.felt.push_back(felt);

@@ -38,6 +38,7 @@ struct Felt {
     double distance = 0.0;
     routing::Vertical vertical = routing::Vertical::None;
     bool cameThrough = false; ///< the last one passed
+    bool lift = false;        ///< a door, and one of a lift: it slides, and there is a button beside it
 };
 
 /// A wall beside, trailed with the cane: how far, and how it runs to the way one goes.

@@ -95,6 +95,8 @@ void takeTasks(const Cue& cue, WalkInstruction& instruction) {
     bool gap = instruction.task.feature == Feature::Door || instruction.task.feature == Feature::Opening;
     instruction.task.ahead = gap && first && cue.facingWay && instruction.task.side == routing::Side::None &&
                              (cue.hour ? *cue.hour % 12 == 0 : first->behind.has_value());
+    instruction.task.lift = gap && (cue.intoKind == building::RegionKind::Elevator ||
+                                    cue.fromKind == building::RegionKind::Elevator);
     instruction.task.into = cue.intoName;
     // "Next: your destination"; of two things told at once it is behind the second.
     instruction.task.last = second && second->kind == ManoeuvreKind::Arrive;

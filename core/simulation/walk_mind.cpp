@@ -291,14 +291,16 @@ bool WalkMind::fits(const Felt& felt) const {
         return kind && (m_task.vertical == Vertical::None || felt.vertical == m_task.vertical);
     }
     case Feature::Elevator:
+        // Told before its door, one goes in first.
+        if (felt.lift) return !felt.cameThrough;
         return felt.kind == AccessKind::Elevator &&
                (m_task.vertical == Vertical::None || felt.vertical == m_task.vertical);
     case Feature::Ramp:
         return felt.kind == AccessKind::Ramp;
     case Feature::Door:
-        return felt.kind == AccessKind::Door;
+        return felt.kind == AccessKind::Door && (felt.lift || !m_task.lift);
     case Feature::Opening:
-        return felt.kind == AccessKind::Opening;
+        return felt.kind == AccessKind::Opening && (felt.lift || !m_task.lift);
     case Feature::Turn:
     case Feature::None:
         break;

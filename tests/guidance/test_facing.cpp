@@ -2,6 +2,7 @@
 
 #include "tests/guidance/guided.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 
 using namespace farol;
@@ -78,6 +79,40 @@ TEST(Facing, ADoorThatWasToldWithTheOneBeforeIsNotLeftOut) {
     EXPECT_EQ(order->manoeuvre->access.value, "K-L");
     ASSERT_TRUE(order->next);
     EXPECT_EQ(order->next->access.value, "E-K");
+}
+
+TEST(Facing, WhoWasSentIntoALiftIsToldWhatToDoInside) {
+    auto map = AsciiMap()
+                   .floor(R"(
+        +----------+----+
+        |K         |L   |
+        |   1    2 /    |
+        +----------+----+
+    )")
+                   .floor(R"(
+        +----------+----+
+        |M         |U   |
+        |          /    |
+        +----------+----+
+    )",
+                          1.0)
+                   .join(building::AccessKind::Elevator, 'L', 'U', "one")
+                   .region('L', {"Lift", building::RegionKind::Elevator})
+                   .region('U', {"Lift", building::RegionKind::Elevator});
+    Guided walk(map);
+    walk.tracker.setDestination(at("M"));
+    standing(walk, "K", '1', 0.0, 6.0);
+    const std::vector<Cue> there = standing(walk, "K", '2', 0.0, 8.0);
+    const Cue* order = lastOrder(there);
+    ASSERT_NE(order, nullptr);
+    EXPECT_EQ(order->manoeuvre->kind, routing::ManoeuvreKind::Door);
+    // As far as can be seen nothing has changed since.
+    const std::vector<Cue> later = standing(walk, "K", '2', 0.0, 14.0);
+    auto ride = std::find_if(later.begin(), later.end(), [](const Cue& cue) {
+        return cue.manoeuvre && cue.manoeuvre->kind == routing::ManoeuvreKind::Elevator;
+    });
+    ASSERT_NE(ride, later.end()) << "nobody in a car waits for a word in vain";
+    EXPECT_FALSE(ride->levelName.empty());
 }
 
 TEST(Facing, AVagueHeadingTurnsNobody) {

@@ -69,8 +69,8 @@ public:
         }
         return *this;
     }
-    Blind& told(building::AccessKind kind, double targetLevel = 0.0) {
-        m_localiser->told({{{kind, 0.0, targetLevel}}});
+    Blind& told(building::AccessKind kind, double targetLevel = 0.0, bool intoLift = false) {
+        m_localiser->told({{{kind, 0.0, targetLevel, intoLift}}});
         return *this;
     }
     Blind& goal(const std::string& region) {
@@ -197,6 +197,51 @@ TEST(GuidedWalk, NobodyClimbsWhoWasToldOfADoor) {
     stairs.goal("L").told(building::AccessKind::Stairs, 1.0).walk(10.0);
     EXPECT_LT(door.share("T") + door.share("L"), 0.15);
     EXPECT_GT(stairs.share("T") + stairs.share("L"), 0.5);
+}
+
+/// A lift's door and an ordinary one at the end of a corridor.
+std::shared_ptr<const building::Building> liftLobby() {
+    AsciiMap map;
+    map.floor(R"(
++-------+-----+
+|K      /R    |
+|   1   |     |
+|       +-----+
+|       /L    |
+|       |     |
++-------+-----+
+)");
+    map.floor(R"(
++-------+-----+
+|M      |     |
+|       |     |
+|       +-----+
+|       /U    |
+|       |     |
++-------+-----+
+)",
+              1.0);
+    map.region('L', {"Lift", building::RegionKind::Elevator});
+    map.region('U', {"Lift", building::RegionKind::Elevator});
+    map.join(building::AccessKind::Elevator, 'L', 'U', "one");
+    return map.build();
+}
+
+TEST(GuidedWalk, NobodyTakesARoomForTheLiftThatWasTold) {
+    auto walked = [](bool intoLift, const char* room) {
+        Blind person(liftLobby(), "K");
+        person.goal("M").told(building::AccessKind::Door, 0.0, intoLift).walk(8.0).stand(5.0);
+        return person.share(room);
+    };
+    EXPECT_LT(walked(true, "R"), 0.7 * walked(false, "R"));
+    EXPECT_GT(walked(true, "L"), walked(false, "L"));
+}
+
+TEST(GuidedWalk, WhoIsToldToTakeTheLiftGoesInFirst) {
+    Blind lift(liftLobby(), "K"), stairs(liftLobby(), "K");
+    lift.goal("M").told(building::AccessKind::Elevator, 1.0).walk(8.0).stand(40.0);
+    stairs.goal("M").told(building::AccessKind::Stairs, 1.0).walk(8.0).stand(40.0);
+    EXPECT_GT(lift.share("U") + lift.share("M"), 2.0 * (stairs.share("U") + stairs.share("M")));
 }
 
 TEST(GuidedWalk, WhoWasToldOfStairsFindsThemAlsoWhereStepsWereMeasuredShort) {

@@ -73,6 +73,10 @@ TEST(SpokenInstruction, StairsAndLifts) {
         instructionFrom("Take the lift up. Inside, choose: level minus 1. When you get out: Gallery.");
     EXPECT_EQ(lift.task.feature, Feature::Elevator);
     EXPECT_EQ(lift.task.level, "-1");
+    auto door = instructionFrom("In about 6 metres, go into the lift ahead.");
+    EXPECT_EQ(door.task.feature, Feature::Door);
+    EXPECT_TRUE(door.task.lift);
+    EXPECT_FALSE(instructionFrom("Go through the door ahead.").task.lift);
     auto soon = instructionFrom("Soon, probably: stairs up.");
     EXPECT_FALSE(soon.now);
     EXPECT_EQ(soon.task.vertical, Vertical::Up);

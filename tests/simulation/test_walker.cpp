@@ -258,6 +258,65 @@ TEST(Walker, RidesTheLiftToTheLevelThatWasTold) {
     EXPECT_TRUE(between) << "a ride takes time";
 }
 
+/// A room and a lift beside one another.
+AsciiMap liftBesideRoom() {
+    AsciiMap map(0.8);
+    map.floor(R"(
+        +-----+----+
+        |R    |L   |
+        +--/--+-/--+
+        |K         |
+        |1         |
+        +----------+
+    )");
+    map.floor(R"(
+        +-----+----+
+        |T    |U   |
+        +--/--+-/--+
+        |V         |
+        |          |
+        +----------+
+    )",
+              1.0);
+    map.region('L', {"Lift", building::RegionKind::Elevator});
+    map.region('U', {"Lift", building::RegionKind::Elevator});
+    map.join(building::AccessKind::Elevator, 'L', 'U', "one");
+    return map;
+}
+
+TEST(Walker, TakesNoRoomForALift) {
+    AsciiMap map = liftBesideRoom();
+    auto building = map.build();
+    for (std::uint64_t seed = 0; seed < 10; ++seed) {
+        WalkerOptions options;
+        options.seed = seed;
+        auto walker = walkerIn(building, map.spot('1'), options);
+        WalkInstruction instruction = find(Feature::Door);
+        instruction.task.lift = true;
+        walker->hear(instruction);
+        for (double t = 0.5; t < 120.0 && walker->region().value == "K"; t += 0.5) walker->walkUntil(t);
+        EXPECT_NE(walker->region().value, "R") << seed;
+    }
+}
+
+TEST(Walker, GoesIntoTheLiftThatItIsToTake) {
+    AsciiMap map = liftBesideRoom();
+    auto building = map.build();
+    int upstairs = 0;
+    for (std::uint64_t seed = 0; seed < 10; ++seed) {
+        WalkerOptions options;
+        options.seed = seed;
+        auto walker = walkerIn(building, map.spot('1'), options);
+        WalkInstruction ride = find(Feature::Elevator);
+        ride.task.vertical = routing::Vertical::Up;
+        ride.task.level = "1";
+        walker->hear(ride);
+        for (double t = 0.5; t < 180.0 && walker->region().value != "U"; t += 0.5) walker->walkUntil(t);
+        upstairs += walker->region().value == "U" ? 1 : 0;
+    }
+    EXPECT_GE(upstairs, 8);
+}
+
 TEST(Walker, TheSameSeedWalksTheSameWay) {
     auto building = std::make_shared<const building::Building>(demo::demoBuilding());
     std::vector<Point2> ends;

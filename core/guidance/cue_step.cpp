@@ -31,7 +31,6 @@ constexpr double kNoReassuranceM = 3.0;
 constexpr double kOnStairsSeconds = 60.0;
 /// Later than this a door is announced even if it cannot be told which of several it is.
 constexpr double kCountingM = 4.0;
-constexpr double kIntoLiftSeconds = 10.0; ///< to find its button and wait for it
 constexpr double kBesideM = 1.8; ///< a way too short to walk along a wall
 constexpr double kJustEnteredSeconds = 2.0;
 /// What follows within this distance is told in the same breath.
@@ -168,29 +167,22 @@ void CueStep::countDoors(Manoeuvre& manoeuvre) const {
     }
 }
 
-/// Which of several doors it is will be plain a step further on.
-bool CueStep::waitsForCount(const Manoeuvre& manoeuvre) const {
-    if (manoeuvre.side == routing::Side::None || !placeIsGood() || !facesWay()) return false;
+/// Which of several doors it is will be plain some steps further on; until then the next one would be taken.
+bool CueStep::waitsForCount(const Manoeuvre& manoeuvre, double measuredM) const {
+    if (manoeuvre.side == routing::Side::None || !facesWay()) return false;
+    if (!placeIsGood()) {
+        bool isNext = m_fix.position && countedFrom(m_building, manoeuvre, *m_fix.position, kStraightM) == 1;
+        return !isNext && measuredM > m_options.actDistanceM;
+    }
     Manoeuvre counted = manoeuvre;
     countDoors(counted);
-    return counted.number == 0 && !mark(manoeuvre);
+    return counted.number == 0 && !mark(manoeuvre) && measuredM > kCountingM;
 }
 
 std::optional<Mark> CueStep::mark(const Manoeuvre& manoeuvre) const {
     if (!placeIsGood() || !m_progress.distanceM || m_fix.level != manoeuvre.level) return std::nullopt;
     bool straight = *m_progress.distanceM - distance(manoeuvre.position, *m_fix.position) <= kStraightM;
     return straight ? markBefore(m_building, manoeuvre, *m_fix.position, m_fix.sigmaM) : std::nullopt;
-}
-
-/// One ride over several levels is one manoeuvre; on the way through, one stays in the car.
-bool CueStep::staysInLift(const Manoeuvre& manoeuvre) const {
-    if (manoeuvre.kind != ManoeuvreKind::Elevator || !m_progress.route) return false;
-    const Manoeuvre* before = nullptr;
-    for (const Manoeuvre& each : m_progress.route->manoeuvres) {
-        if (each.access == manoeuvre.access && each.from == manoeuvre.from) break;
-        before = &each;
-    }
-    return before != nullptr && before->kind == ManoeuvreKind::Elevator && before->into == manoeuvre.into;
 }
 
 /// A door close beside the one that one has come through is on a side, too, though nobody walks along a wall
@@ -424,6 +416,7 @@ void CueStep::tellManoeuvre() {
         m_memory.regionIndex = m_progress.regionsPassed;
         m_memory.enteredAt = m_fix.time;
         m_memory.repeats = 0;
+        forgetRide(next);
     }
     if (tellRide(next)) return;
     if (m_progress.distanceM)
@@ -431,24 +424,6 @@ void CueStep::tellManoeuvre() {
     else
         tellUnmeasured(next);
     if (!m_routeTold) tellAgain(next);
-}
-
-/// Nothing in a lift's car tells that one is in it. Who was sent there some time ago may be, and waits to
-/// hear what to do inside.
-bool CueStep::tellRide(const Manoeuvre& door) {
-    const std::optional<Manoeuvre>& ride = m_progress.afterNext;
-    if (!ride || ride->kind != ManoeuvreKind::Elevator || ride->from != door.into) return false;
-    auto sent = m_memory.acted.find(keyOf(door));
-    bool mayBeInside = sent != m_memory.acted.end() && m_fix.time - sent->second >= kIntoLiftSeconds &&
-                       !toldRecently(m_memory.told, keyOf(door), kIntoLiftSeconds);
-    bool getsOn = m_memory.advance && m_memory.advance->along &&
-                  m_fix.time - m_memory.advance->spotTime <= kStandingSeconds;
-    if (!mayBeInside || getsOn ||
-        toldRecently(m_memory.told, keyOf(*ride), 2.0 * m_options.repeatAfterSeconds))
-        return false;
-    addManoeuvre(routeCue(CueKind::Prepare, CuePriority::Prepare, kPrepareSeconds), *ride, std::nullopt);
-    m_cues.back().validIn.push_back(door.from);
-    return true;
 }
 
 /// Silence is an answer to nobody who stands and waits.
@@ -502,7 +477,7 @@ void CueStep::tellMeasured(const Manoeuvre& next) {
         double pause = m_memory.startToldSide ? m_options.repeatAfterSeconds : kActAfterStartSeconds;
         bool prepared = m_memory.prepared.contains(key) || toldRecently(m_memory.told, key, pause);
         if (prepared && !again) return;
-        if (waitsForCount(next) && measured > kCountingM) return;
+        if (waitsForCount(next, measured)) return;
         Cue cue = routeCue(CueKind::Prepare, CuePriority::Prepare, kPrepareSeconds);
         if (distanceIsGood()) cue.distanceM = measured;
         cue.hour = hourTo(next);

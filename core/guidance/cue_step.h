@@ -107,6 +107,7 @@ private:
     void tellManoeuvre();
     void tellMeasured(const routing::Manoeuvre& next);
     bool tellWhatFollows(const routing::Manoeuvre& next, double measuredM);
+    void forgetRide(const routing::Manoeuvre& ride);
     bool tellRide(const routing::Manoeuvre& door);
     void tellUnmeasured(const routing::Manoeuvre& next);
     void tellAgain(const routing::Manoeuvre& next);
@@ -121,7 +122,7 @@ private:
                        const std::optional<routing::Manoeuvre>& after) const;
     void setShortSide(routing::Manoeuvre& manoeuvre) const;
     void countDoors(routing::Manoeuvre& manoeuvre) const;
-    bool waitsForCount(const routing::Manoeuvre& manoeuvre) const;
+    bool waitsForCount(const routing::Manoeuvre& manoeuvre, double measuredM) const;
     std::optional<Mark> mark(const routing::Manoeuvre& manoeuvre) const;
     bool staysInLift(const routing::Manoeuvre& manoeuvre) const;
     bool placeIsGood() const;

@@ -15,7 +15,7 @@ namespace {
 
 /// At a spot, facing so many degrees counter-clockwise from east, for some seconds.
 std::vector<Cue> standing(Guided& walk, const std::string& region, char spot, double headingDeg,
-                          double seconds, double sigmaDeg = 15.0) {
+                          double seconds, double sigmaDeg = 15.0, double sigmaM = 0.5) {
     std::vector<Cue> heard;
     for (double t = 0.0; t < seconds; t += 0.5) {
         walk.fix = {};
@@ -24,7 +24,7 @@ std::vector<Cue> standing(Guided& walk, const std::string& region, char spot, do
         walk.fix.confidence = 0.95;
         walk.fix.level = 0.0;
         walk.fix.position = walk.map.spot(spot).position;
-        walk.fix.sigmaM = 0.5;
+        walk.fix.sigmaM = sigmaM;
         walk.fix.heading = fromDegrees(headingDeg);
         walk.fix.headingSigma = fromDegrees(sigmaDeg);
         walk.later(0.5);
@@ -79,6 +79,31 @@ TEST(Facing, ADoorThatWasToldWithTheOneBeforeIsNotLeftOut) {
     EXPECT_EQ(order->manoeuvre->access.value, "K-L");
     ASSERT_TRUE(order->next);
     EXPECT_EQ(order->next->access.value, "E-K");
+}
+
+/// "The door on your left", and another one comes first: that one would be taken.
+TEST(Facing, ADoorBehindAnotherIsNotAnnouncedWhereThePlaceIsVague) {
+    auto map = AsciiMap().floor(R"(
+        +----+----+----+----+----+----+
+        |A   |B   |C   |D   |E   |F   |
+        +--/-+--/-+--/-+--/-+--/-+--/-+
+        |K 1   2    3     4    5      |
+        +-----------------------------+
+    )");
+    map.region('K', {"Corridor", building::RegionKind::Corridor});
+    auto doorsTold = [&](double sigmaM) {
+        Guided walk(map);
+        walk.tracker.setDestination(at("E"));
+        standing(walk, "K", '1', 0.0, 6.0, 15.0, sigmaM);
+        standing(walk, "K", '2', 0.0, 2.0, 15.0, sigmaM);
+        standing(walk, "K", '3', 0.0, 2.0, 15.0, sigmaM);
+        std::vector<Cue> told = standing(walk, "K", '4', 0.0, 3.0, 15.0, sigmaM);
+        std::size_t early = told.size();
+        std::vector<Cue> near = standing(walk, "K", '5', 0.0, 8.0, 15.0, sigmaM);
+        EXPECT_NE(lastOrder(near), nullptr) << sigmaM;
+        return early;
+    };
+    EXPECT_EQ(doorsTold(2.5), 0U);
 }
 
 TEST(Facing, WhoWasSentIntoALiftIsToldWhatToDoInside) {

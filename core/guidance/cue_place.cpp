@@ -46,11 +46,14 @@ void CueStep::tellSweep(SweepStep step) {
     add(std::move(cue));
 }
 
-/// Unsure is also who was seen where the route does not expect it, once only: looking around settles it.
+/// Unsure is also who was seen where the route does not expect it, once only: looking around settles it. So
+/// is who is perhaps in the destination already, so that no way begins: silence would be no answer to the
+/// choice.
 void CueStep::tellUnsure() {
+    bool isGuess = m_progress.travel == Travel::NoFix && !m_progress.route && !m_progress.destination.empty();
     bool underWay = m_progress.route && m_progress.travel == Travel::OnRoute;
     bool asExpected = !underWay || m_fix.region == m_progress.route->regions[m_progress.regionsPassed];
-    if (m_usable && asExpected) {
+    if (m_usable && asExpected && !isGuess) {
         // Who was just told to turn has to be told to stop turning, at once.
         bool turning = m_memory.sweep && following(m_memory.sweep->step) &&
                        m_fix.time - m_memory.sweep->toldAt <= 2.0 * m_options.sweepStepSeconds;

@@ -359,6 +359,22 @@ TEST(CueScheduler, ADoubtfulSightOfTheDestinationIsSettledByLookingAround) {
     EXPECT_EQ(walk.count(CueKind::Arrived), 1U);
 }
 
+TEST(CueScheduler, WhoIsPerhapsThereAlreadyIsAskedToLookAround) {
+    TrackerOptions honest;
+    honest.arrivalConfidence = 0.95;
+    Guided walk(test::corridorMap(), {}, honest);
+    walk.tracker.setDestination(at("D"));
+    walk.seen("D", 0, 0.3);
+    bool asked = false;
+    for (const Cue& cue : walk.wait(10)) asked = asked || cue.kind == CueKind::Unsure;
+    EXPECT_TRUE(asked) << "a choice is answered, by a question if need be";
+    EXPECT_EQ(walk.count(CueKind::AlreadyThere), 0U);
+    walk.seen("D", 0, 0.96);
+    walk.seen("D", 0, 0.96);
+    EXPECT_EQ(walk.count(CueKind::AlreadyThere), 1U);
+    EXPECT_EQ(walk.wait(30).size(), 0U);
+}
+
 TEST(CueScheduler, WithoutADestinationItAsksOnlyOnce) {
     Guided walk;
     walk.later(0.0);

@@ -116,15 +116,63 @@ std::shared_ptr<const session::Snapshot> handMadeSnapshot() {
     return snapshot;
 }
 
-std::optional<capture::Frame> FakeSource::next() {
-    if (m_next >= m_frames || stopRequested()) return std::nullopt;
+namespace {
+
+capture::Frame greyFrame(std::uint64_t index, double period) {
     capture::Frame frame;
-    frame.index = m_next;
-    frame.capturedAt = static_cast<double>(m_next) * m_period;
+    frame.index = index;
+    frame.capturedAt = static_cast<double>(index) * period;
     frame.image = cv::Mat(120, 160, CV_8UC3, cv::Scalar(90, 90, 90));
     frame.arrivedAt = std::chrono::steady_clock::now();
-    ++m_next;
     return frame;
+}
+
+} // namespace
+
+std::optional<capture::Frame> FakeSource::next() {
+    if (m_next >= m_frames || stopRequested()) return std::nullopt;
+    return greyFrame(m_next++, m_period);
+}
+
+void Cable::setPlugged(bool plugged) {
+    std::scoped_lock lock(m_mutex);
+    m_state = plugged ? State::Plugged : State::Unplugged;
+    m_changed.notify_all();
+}
+
+void Cable::pull() {
+    std::scoped_lock lock(m_mutex);
+    m_state = State::Gone;
+    m_changed.notify_all();
+}
+
+Cable::State Cable::next() {
+    constexpr std::chrono::milliseconds kPicture{20};
+    std::unique_lock lock(m_mutex);
+    m_changed.wait_for(lock, kPicture, [this] { return m_state != State::Plugged; });
+    return m_state;
+}
+
+Cable::State Cable::whenNotUnplugged(const std::function<bool()>& over) {
+    std::unique_lock lock(m_mutex);
+    m_changed.wait(lock, [&] { return m_state != State::Unplugged || over(); });
+    return m_state;
+}
+
+std::optional<capture::Frame> CameraOnCable::next() {
+    Cable::State state = m_cable->next();
+    if (state == Cable::State::Unplugged) {
+        tell(capture::SourceEventKind::ConnectionLost, "the camera gives no more pictures");
+        state = m_cable->whenNotUnplugged([this] { return stopRequested(); });
+        if (state == Cable::State::Plugged) tell(capture::SourceEventKind::Reconnected, "the camera is back");
+    }
+    if (stopRequested() || state != Cable::State::Plugged) return std::nullopt;
+    return greyFrame(m_next++, 0.02);
+}
+
+void CameraOnCable::requestStop() {
+    FrameSource::requestStop();
+    m_cable->wake();
 }
 
 void FakeVoice::say(const QString& /*text*/) {

@@ -7,7 +7,10 @@
 
 #include <QStringList>
 
+#include <condition_variable>
+#include <functional>
 #include <memory>
+#include <mutex>
 
 namespace farol::ui::test {
 
@@ -31,6 +34,39 @@ public:
 private:
     std::uint64_t m_frames;
     double m_period;
+    std::uint64_t m_next = 0;
+};
+
+/// Of a camera; held by the test, which pulls it out.
+class Cable {
+public:
+    void setPlugged(bool plugged);
+    void pull(); ///< for good: the camera gives up
+    void wake() { m_changed.notify_all(); }
+    enum class State { Plugged, Unplugged, Gone };
+    /// As it is after one picture's time.
+    State next();
+    /// Once it is plugged in again, or `over` is true.
+    State whenNotUnplugged(const std::function<bool()>& over);
+
+private:
+    std::mutex m_mutex;
+    std::condition_variable m_changed;
+    State m_state = State::Plugged;
+};
+
+/// A live camera at a cable.
+class CameraOnCable : public capture::FrameSource {
+public:
+    explicit CameraOnCable(std::shared_ptr<Cable> cable) : m_cable(std::move(cable)) {}
+
+    std::optional<capture::Frame> next() override;
+    bool live() const override { return true; }
+    std::string description() const override { return "camera at a cable"; }
+    void requestStop() override;
+
+private:
+    std::shared_ptr<Cable> m_cable;
     std::uint64_t m_next = 0;
 };
 

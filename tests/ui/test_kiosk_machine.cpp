@@ -417,6 +417,17 @@ void KioskMachineTest::arrivalAndRefusal() {
     QVERIFY(m_machine->wants(refusal));
     QCOMPARE(m_machine->state(), KioskState::Choosing);
     QVERIFY(!m_machine->destination());
+    // Who waits for the way hears why there is none yet; who has it can listen to it.
+    bring(KioskState::Preview);
+    Cue unsure;
+    unsure.kind = CueKind::Unsure;
+    unsure.priority = CuePriority::OffRoute;
+    QVERIFY(m_machine->wants(unsure));
+    Cue way;
+    way.kind = CueKind::RouteStart;
+    QVERIFY(m_machine->wants(way));
+    QVERIFY(!m_machine->wants(unsure));
+    bring(KioskState::Choosing);
     // While a place is being chosen nobody is told to walk.
     Cue turn;
     turn.kind = CueKind::Act;

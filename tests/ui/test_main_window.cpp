@@ -53,6 +53,7 @@ private Q_SLOTS:
     void closingWhileLoading();
     void aMissingMapIsTold();
     void aSourceThatCannotBeOpenedIsTold();
+    void anUnpluggedCameraIsTold();
     void anUnknownDestinationIsTold();
     void playWithoutAnythingSaysWhatIsMissing();
     void everyControlHasAName();
@@ -217,6 +218,36 @@ void MainWindowTest::aSourceThatCannotBeOpenedIsTold() {
     QCOMPARE(m_window->walk().state(), session::RunState::Failed);
     m_window->walk().setSource({QStringLiteral("grey"), 0.0});
     QVERIFY(banner(Problem::Source).isEmpty());
+}
+
+void MainWindowTest::anUnpluggedCameraIsTold() {
+    const auto cable = std::make_shared<test::Cable>();
+    m_window = std::make_unique<MainWindow>(
+        *m_settings,
+        [cable](const std::string&,
+                const capture::SourceOptions&) -> Result<std::unique_ptr<capture::FrameSource>> {
+            return std::unique_ptr<capture::FrameSource>(std::make_unique<test::CameraOnCable>(cable));
+        },
+        [](const VoiceChoice&) { return std::make_unique<test::FakeVoice>(); });
+    QStringList told;
+    connect(&m_window->walk(), &Walk::cueCame, this, [&](const guidance::Cue& cue) {
+        if (cue.kind == guidance::CueKind::Warning) told << Phrasebook().sentence(cue);
+    });
+    m_window->begin(options());
+    QTRY_VERIFY_WITH_TIMEOUT(m_window->walk().snapshot() != nullptr, 60000);
+    const auto remark = [&] { return m_window->page().banners().text(QStringLiteral("remark")); };
+    cable->setPlugged(false);
+    QTRY_VERIFY_WITH_TIMEOUT(remark().contains(QLatin1String("gives no more pictures")), 60000);
+    QTRY_COMPARE_WITH_TIMEOUT(told.size(), 1, 60000);
+    QVERIFY(told.last().contains(QLatin1String("The camera gives no picture")));
+    cable->setPlugged(true);
+    QTRY_VERIFY_WITH_TIMEOUT(remark().contains(QLatin1String("is back")), 60000);
+    QTRY_COMPARE_WITH_TIMEOUT(told.size(), 2, 60000);
+    QCOMPARE(m_window->walk().state(), session::RunState::Running);
+    cable->pull();
+    QTRY_COMPARE_WITH_TIMEOUT(m_window->walk().state(), session::RunState::Failed, 60000);
+    QTRY_COMPARE_WITH_TIMEOUT(told.size(), 3, 60000);
+    QVERIFY(!remark().isEmpty());
 }
 
 void MainWindowTest::anUnknownDestinationIsTold() {

@@ -142,6 +142,7 @@ private Q_SLOTS:
     void actMakesItsPreparationSuperfluous();
     void sameTextIsNotRepeatedWithin15Seconds();
     void sameWordsAtTwoCornersAreBothTold();
+    void theSameChoiceIsAnsweredAgain();
     void interruptedTextMayComeAgain();
     void repeatSaysTheLastActionWithoutOldFigures();
     void repeatWithoutAnythingSaysSo();
@@ -417,6 +418,31 @@ void TestSpeechQueue::sameWordsAtTwoCornersAreBothTold() {
     QCOMPARE(walk.output.said, QStringList{kLeft});
     walk.queue.add(turn(CueKind::Act, 90, 6.0, 8.0));
     QCOMPARE(walk.output.said, (QStringList{kLeft, kLeft}));
+}
+
+void TestSpeechQueue::theSameChoiceIsAnsweredAgain() {
+    for (const CueKind kind : {CueKind::AlreadyThere, CueKind::RouteStart, CueKind::NoRoute}) {
+        Walk walk;
+        Cue answer;
+        answer.kind = kind;
+        answer.regionName = "Library";
+        answer.reason = CueReason::DestinationUnreachable;
+        answer.routeVersion = 1;
+        answer.time = 1.0;
+        walk.queue.setNow(1.0, std::nullopt, 1);
+        walk.queue.add(answer);
+        walk.finishAll();
+        answer.time = 3.0;
+        walk.queue.add(answer);
+        QCOMPARE(walk.output.said.size(), 1); // nothing was chosen
+        answer.routeVersion = 2;
+        answer.time = 5.0;
+        walk.queue.setNow(5.0, std::nullopt, 2);
+        walk.queue.add(answer);
+        walk.finishAll();
+        QCOMPARE(walk.output.said.size(), 2);
+        QCOMPARE(walk.output.said.first(), walk.output.said.last());
+    }
 }
 
 void TestSpeechQueue::interruptedTextMayComeAgain() {

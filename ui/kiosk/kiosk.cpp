@@ -68,7 +68,7 @@ void Kiosk::connectWalk() {
     connect(&m_walk, &Walk::stateChanged, this, &Kiosk::watchCamera);
     connect(&m_walk, &Walk::busyChanged, this, &Kiosk::watchCamera);
     connect(&m_walk, &Walk::walkBegan, this, [this] {
-        m_sourceBroken = false;
+        m_sourceBroken = m_cameraLost = false;
         setDetail({});
     });
     connect(&m_walk, &Walk::cueCame, this, &Kiosk::cueCame);
@@ -102,7 +102,9 @@ void Kiosk::connectMachine() {
                 }
             });
     connect(&m_machine, &KioskMachine::cameraWanted, this, [this] {
+        if (m_cameraLost && m_walk.state() == session::RunState::Running) return; // it is tried all the time
         m_speech.reset(); // the new session counts its routes anew
+        if (m_lastRegion) m_walk.setStart(m_lastRegion);
         m_walk.play();
     });
     connect(&m_machine, &KioskMachine::changed, this, &Kiosk::changed);
@@ -253,10 +255,20 @@ void Kiosk::mapCame() {
 }
 
 void Kiosk::cueCame(const Cue& cue) {
+    if (cue.kind == guidance::CueKind::Warning) cameraCue(cue);
     if (!m_machine.wants(cue)) return;
     if (cue.chime != guidance::Chime::None)
         m_chimes->play(cue.chime == guidance::Chime::Fix ? Sound::Fix : Sound::Warning);
     m_speech.add(cue);
+}
+
+/// A camera that was unplugged is told at once, while the walk goes on and waits for it.
+void Kiosk::cameraCue(const Cue& cue) {
+    const bool lost = cue.reason == guidance::CueReason::CameraLost;
+    if (!lost && cue.reason != guidance::CueReason::CameraBack) return;
+    m_cameraLost = lost;
+    setDetail(lost ? Phrasebook().sentence(cue) : QString());
+    m_machine.setCamera(lost ? KioskCamera::Gone : KioskCamera::Running, true);
 }
 
 void Kiosk::watchCamera() {
@@ -267,6 +279,8 @@ void Kiosk::watchCamera() {
         camera = KioskCamera::None;
     else if (m_walk.loading())
         camera = KioskCamera::Opening;
+    else if (m_cameraLost)
+        camera = KioskCamera::Gone;
     else if (state == session::RunState::Running || state == session::RunState::Paused)
         camera = KioskCamera::Running;
     else if (m_sourceBroken || state == session::RunState::Ended || state == session::RunState::Failed)

@@ -71,6 +71,7 @@ private:
     void cueCame(const guidance::Cue& cue);
     void answer(KioskQuestion question);
     void watchCamera();
+    void cameraCue(const guidance::Cue& cue);
     void trouble(Problem kind, const QString& message);
     void setDetail(const QString& detail);
     void remember();
@@ -94,6 +95,7 @@ private:
     std::optional<RegionId> m_region;
     std::optional<RegionId> m_lastRegion; ///< known last, before a crash too
     bool m_sourceBroken = false, m_leaving = false, m_closed = false;
+    bool m_cameraLost = false; ///< a live one, which is being tried again
     bool m_mapChanged = false; ///< the new one waits for the end of the way
     bool m_memoryTold = false;
     bool m_opened = false; ///< the command line has been followed

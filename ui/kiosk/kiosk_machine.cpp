@@ -111,6 +111,7 @@ void KioskMachine::wishGranted() {
     const Wish wish = *m_wish;
     m_wish.reset();
     m_destination = wish.destination;
+    m_wayTold = false;
     Q_EMIT destinationChosen(m_destination);
     setState(KioskState::Preview);
     if (!wish.afterCrash) return say(withRemarks(previewWords()));
@@ -121,17 +122,17 @@ void KioskMachine::wishGranted() {
     say(withRemarks(spoken::joined(words)));
 }
 
-void KioskMachine::setCamera(KioskCamera camera) {
+void KioskMachine::setCamera(KioskCamera camera, bool told) {
     if (camera == m_camera) return;
     m_camera = camera;
     if (camera == KioskCamera::Gone) {
         m_cameraWasGone = true;
         stopSweep();
         m_patience.stop();
-        say(cameraWords());
+        if (!told) say(cameraWords());
     } else if (camera == KioskCamera::Running && m_cameraWasGone) {
         m_cameraWasGone = false;
-        say(tr("The camera works again."));
+        if (!told) say(tr("The camera works again."));
     }
     Q_EMIT changed();
 }
@@ -161,6 +162,9 @@ bool KioskMachine::wants(const Cue& cue) {
             Q_EMIT destinationChosen(m_destination);
             return true;
         }
+        // Who waits for the way hears why there is none yet, and what to do about it.
+        if (cue.kind == CueKind::Unsure) return !m_wayTold;
+        m_wayTold = m_wayTold || cue.kind == CueKind::RouteStart;
         return cue.kind == CueKind::RouteStart;
     case KioskState::Walking:
         return !m_quiet;

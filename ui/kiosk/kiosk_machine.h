@@ -47,7 +47,8 @@ public:
     /// Told once, behind the next words about places: nothing that concerns the next step.
     void remark(const QString& text);
     void refuse(const QString& why); ///< these are the last words
-    void setCamera(KioskCamera camera);
+    /// `told`: the walk itself says it.
+    void setCamera(KioskCamera camera, bool told = false);
     void setRegion(const std::optional<RegionId>& region); ///< where the user is, as far as known
     /// A destination for when the map is there: asked for on the command line, or left by a crash.
     void setWish(const RegionId& destination, bool afterCrash, const std::optional<RegionId>& region);
@@ -138,6 +139,7 @@ private:
     bool m_mapFailed = false;
     bool m_cameraWasGone = false; ///< and has not come back yet
     bool m_quiet = false;
+    bool m_wayTold = false; ///< since the destination was chosen
     std::optional<RegionId> m_destination, m_region;
     struct Wish {
         RegionId destination;

@@ -153,6 +153,7 @@ void KioskMachine::toChoosing() {
 
 void KioskMachine::toPreview(const RegionId& region) {
     m_destination = region;
+    m_wayTold = false;
     setState(KioskState::Preview);
     say(previewWords());
     Q_EMIT destinationChosen(m_destination);

@@ -44,6 +44,14 @@ bool sameManoeuvre(const Cue& a, const Cue& b) {
            a.manoeuvre->from == b.manoeuvre->from && a.manoeuvre->position == b.manoeuvre->position;
 }
 
+/// What a choice of the destination is answered with: whoever chooses the same place again, and so is given
+/// another route, waits for these words again.
+bool answersAnotherChoice(const Cue& told, const Cue& now) {
+    const bool answers =
+        now.kind == CueKind::RouteStart || now.kind == CueKind::AlreadyThere || now.kind == CueKind::NoRoute;
+    return answers && told.routeVersion != now.routeVersion;
+}
+
 /// The order to act waits for the end of the words that announce the very same: "… on your" cut off before
 /// "left" leaves open where.
 bool announcesIt(const Cue& told, const Cue& order) {
@@ -101,7 +109,8 @@ bool SpeechQueue::stale(const Cue& cue) const {
 
 bool SpeechQueue::toldLately(const Utterance& utterance) const {
     auto same = [&](const Cue& cue, const QString& text) {
-        return text == utterance.text && sameManoeuvre(cue, utterance.cue);
+        return text == utterance.text && sameManoeuvre(cue, utterance.cue) &&
+               !answersAnotherChoice(cue, utterance.cue);
     };
     if (utterance.cue.asked) return false;                   // whoever asks twice wants to hear it twice
     if (utterance.cue.kind == CueKind::Unsure) return false; // who turns has to be told to stop, each time

@@ -32,7 +32,8 @@ struct Utterance {
 
 /// A more urgent cue interrupts; equal or lower ones wait; what has expired, or belongs to an older route or
 /// another region, is dropped and never spoken late. The same text within 15 s of the walk's clock is not
-/// repeated, unless it tells of another manoeuvre ("turn left" at two corners). Nothing waits behind "stop":
+/// repeated, unless it tells of another manoeuvre ("turn left" at two corners) or answers the choice of a
+/// destination. Nothing waits behind "stop":
 /// an instruction to move that was waiting when the way was lost is dropped.
 class SpeechQueue : public QObject {
     Q_OBJECT

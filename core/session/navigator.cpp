@@ -11,6 +11,10 @@ namespace {
 constexpr const char* kGuidedLocalisers = "bayes-guided";
 constexpr double kGuidedSure = 0.8;
 constexpr std::size_t kMostUnheard = 32; // what waits longer to be said is not said any more
+/// Longer than the guidance takes to tell an order again, which a voice that speaks would then have said.
+constexpr double kForgottenSeconds = 20.0;
+/// A voice does not say the same again so soon: then it was heard all the same.
+constexpr double kStillInEarSeconds = 15.0;
 
 Result<std::shared_ptr<const routing::Planner>>
 makePlanner(const std::shared_ptr<const building::Building>& building, const NavigatorOptions& options) {
@@ -66,6 +70,15 @@ std::optional<localisation::ToldWay> toldBy(const building::Building& building, 
     return way;
 }
 
+bool sameWay(const localisation::ToldWay& a, const localisation::ToldWay& b) {
+    using Passage = localisation::ToldWay::Passage;
+    return std::equal(a.passages.begin(), a.passages.end(), b.passages.begin(), b.passages.end(),
+                      [](const Passage& one, const Passage& other) {
+                          return one.kind == other.kind && one.level == other.level &&
+                                 one.targetLevel == other.targetLevel;
+                      });
+}
+
 } // namespace
 
 Result<void> NavigatorOptions::check() const {
@@ -115,6 +128,7 @@ Navigator::Navigator(std::shared_ptr<const building::Building> building,
 void Navigator::start(double time, const std::optional<RegionId>& region) {
     m_history.clear();
     m_unheard.clear();
+    m_heardWay.reset();
     m_localiser->start(time, region);
     m_lastFix = {};
     m_lastFix.time = time;
@@ -149,25 +163,45 @@ NavigationStep Navigator::advance(Percept percept) {
     step.fix = m_localiser->update(percept.time, step.fresh, step.history);
     step.progress = m_tracker.update(step.fix);
     step.cues = m_scheduler.update(percept.frame, step.fix, step.progress, step.fresh);
-    for (const guidance::Cue& cue : step.cues) {
-        auto way = toldBy(*m_building, cue);
-        if (way && m_heardIsReported)
-            m_unheard.emplace_back(cue.id, *way);
-        else if (way)
-            m_localiser->told(*way);
-    }
-    while (m_unheard.size() > kMostUnheard) m_unheard.pop_front();
+    for (const guidance::Cue& cue : step.cues) issued(cue);
+    forgetUnheard(percept.time);
     step.percept = std::move(percept);
     m_lastFix = step.fix;
     return step;
 }
 
+void Navigator::issued(const guidance::Cue& cue) {
+    auto way = toldBy(*m_building, cue);
+    if (!way) return;
+    if (!m_heardIsReported) return m_localiser->told(*way);
+    m_unheard.push_back({cue.id, m_lastTime, std::move(*way)});
+    if (m_unheard.size() > kMostUnheard) m_unheard.pop_front();
+}
+
 void Navigator::heard(std::uint64_t cue) {
     auto found = std::find_if(m_unheard.begin(), m_unheard.end(),
-                              [&](const auto& unheard) { return unheard.first == cue; });
+                              [&](const Unheard& unheard) { return unheard.cue == cue; });
     if (found == m_unheard.end()) return;
-    m_localiser->told(found->second);
+    m_localiser->told(found->way);
+    m_heardWay = std::move(found->way);
+    m_heardAt = m_lastTime;
+    m_lastHeard = std::max(m_lastHeard, cue);
     m_unheard.erase(found);
+}
+
+/// An order that is not heard for long means that nobody hears anything: it is not known any more what the
+/// user does.
+void Navigator::forgetUnheard(double time) {
+    if (m_heardWay && m_heardWay->passages.empty()) return;
+    auto missed = std::find_if(m_unheard.begin(), m_unheard.end(), [&](const Unheard& unheard) {
+        bool inEar =
+            m_heardWay && unheard.time - m_heardAt < kStillInEarSeconds && sameWay(unheard.way, *m_heardWay);
+        return unheard.cue > m_lastHeard && !inEar;
+    });
+    if (missed == m_unheard.end() || time - missed->time < kForgottenSeconds) return;
+    m_heardWay.emplace();
+    m_localiser->told(*m_heardWay);
+    m_lastHeard = m_unheard.back().cue;
 }
 
 guidance::Cue Navigator::warning(guidance::CueReason reason, std::string detail) {
@@ -175,7 +209,10 @@ guidance::Cue Navigator::warning(guidance::CueReason reason, std::string detail)
 }
 
 guidance::Cue Navigator::answer(guidance::Question question) {
-    return m_scheduler.answer(question, m_lastFrame, m_lastFix, preview());
+    guidance::Cue cue = m_scheduler.answer(question, m_lastFrame, m_lastFix, preview());
+    // Whoever asks, and hears what to do, does it; before a voice says it, nobody has heard anything.
+    if (m_heardIsReported) issued(cue);
+    return cue;
 }
 
 guidance::Progress Navigator::preview() const {

@@ -12,7 +12,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <utility>
 
 namespace farol::session {
 
@@ -24,7 +23,9 @@ struct NavigatorOptions {
     guidance::TrackerOptions tracker;
     guidance::GuidanceOptions guidance;
     /// A voice tells by heard() what it began to say, and only that counts as told: not what was muted, or
-    /// expired while it waited. False: all that is told counts.
+    /// expired while it waited. Whoever hears nothing of what is told (a muted voice, one that has failed)
+    /// does not obey it: after a while the last order that was heard counts no more. False: all that is told
+    /// counts.
     bool heardIsReported = false;
 
     Result<void> check() const;
@@ -71,13 +72,26 @@ private:
               std::unique_ptr<localisation::Localiser> localiser,
               std::shared_ptr<const routing::Planner> planner, const NavigatorOptions& options);
 
+    void issued(const guidance::Cue& cue);
+    void forgetUnheard(double time);
+
+    /// A cue that tells a way, and that the voice has not begun to say.
+    struct Unheard {
+        std::uint64_t cue = 0;
+        double time = 0.0;
+        localisation::ToldWay way;
+    };
+
     std::shared_ptr<const building::Building> m_building;
     std::unique_ptr<localisation::Localiser> m_localiser;
     localisation::NavigationHistory m_history;
     guidance::RouteTracker m_tracker;
     guidance::CueScheduler m_scheduler;
     bool m_heardIsReported = false;
-    std::deque<std::pair<std::uint64_t, localisation::ToldWay>> m_unheard; ///< by the cue's id
+    std::deque<Unheard> m_unheard;                   ///< in the order of their ids
+    std::optional<localisation::ToldWay> m_heardWay; ///< what the localiser was told last
+    double m_heardAt = 0.0;
+    std::uint64_t m_lastHeard = 0; ///< the newest cue of all that were heard or given up
     localisation::Fix m_lastFix;
     std::uint64_t m_lastFrame = 0;
     double m_lastTime = 0.0;

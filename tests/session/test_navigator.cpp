@@ -52,13 +52,13 @@ TEST(Navigator, TellsTheRouteWithTheStepAfterTheDestination) {
     EXPECT_TRUE(routeTold);
 }
 
-/// Counts what it is told; the place is always the first room.
-class Counting final : public localisation::Localiser {
+/// Keeps what it is told; the place is always the first room.
+class Listening final : public localisation::Localiser {
 public:
-    explicit Counting(int& told) : m_told(told) {}
+    explicit Listening(std::vector<localisation::ToldWay>& told) : m_told(told) {}
     void start(double, const std::optional<RegionId>&) override {}
     void setRoute(const localisation::RouteContext&) override {}
-    void told(const localisation::ToldWay&) override { ++m_told; }
+    void told(const localisation::ToldWay& way) override { m_told.push_back(way); }
     localisation::Fix update(double time, std::span<const localisation::Observation>,
                              const std::deque<localisation::Observation>&) override {
         localisation::Fix fix;
@@ -67,29 +67,75 @@ public:
         fix.confidence = 0.9;
         return fix;
     }
-    std::string name() const override { return "counting"; }
+    std::string name() const override { return "listening"; }
 
 private:
-    int& m_told;
+    std::vector<localisation::ToldWay>& m_told;
 };
 
 TEST(Navigator, OnlyWhatTheVoiceBeganToSayCountsAsTold) {
     for (bool reported : {false, true}) {
-        int told = 0;
+        std::vector<localisation::ToldWay> told;
         NavigatorOptions options;
         options.heardIsReported = reported;
-        auto walk = Navigator::create(test::threeRooms(), options, std::make_unique<Counting>(told));
+        auto walk = Navigator::create(test::threeRooms(), options, std::make_unique<Listening>(told));
         ASSERT_TRUE(walk);
         (*walk)->setDestination(room("C"));
         NavigationStep step = (*walk)->advance(test::walkThroughTheRooms().front());
         ASSERT_FALSE(step.cues.empty());
-        EXPECT_EQ(told, reported ? 0 : 1) << "muted, or still waiting";
+        EXPECT_EQ(told.size(), reported ? 0U : 1U) << "muted, or still waiting";
         for (int twice = 0; twice < 2; ++twice)
             for (const guidance::Cue& cue : step.cues) (*walk)->heard(cue.id);
-        EXPECT_EQ(told, 1);
+        EXPECT_EQ(told.size(), 1U);
         (*walk)->heard(77777);
-        EXPECT_EQ(told, 1);
+        EXPECT_EQ(told.size(), 1U);
+        const guidance::Cue answer = (*walk)->answer(guidance::Question::Next);
+        EXPECT_EQ(told.size(), 1U) << "not before it is heard";
+        (*walk)->heard(answer.id);
+        EXPECT_EQ(told.size(), reported ? 2U : 1U);
     }
+}
+
+/// Two minutes in the first room, asked every ten seconds what to do; the voice says what comes from `from`
+/// to `to`.
+std::vector<localisation::ToldWay> toldWhileHeard(double from, double to) {
+    std::vector<localisation::ToldWay> told;
+    NavigatorOptions options;
+    options.heardIsReported = true;
+    auto walk = Navigator::create(test::threeRooms(), options, std::make_unique<Listening>(told));
+    if (!walk) return told;
+    (*walk)->setDestination(room("C"));
+    for (int i = 0; i < 240; ++i) {
+        Percept percept;
+        percept.frame = static_cast<std::uint64_t>(i);
+        percept.time = 0.5 * i;
+        std::vector<guidance::Cue> cues = (*walk)->advance(percept).cues;
+        if (i % 20 == 19) cues.push_back((*walk)->answer(guidance::Question::Next));
+        if (percept.time < from || percept.time > to) continue;
+        for (const guidance::Cue& cue : cues) (*walk)->heard(cue.id);
+    }
+    return told;
+}
+
+TEST(Navigator, OrdersThatNobodyHearsAreNotBelievedToBeCarriedOut) {
+    constexpr double kEver = 1000.0;
+    for (const localisation::ToldWay& way : toldWhileHeard(0.0, kEver))
+        EXPECT_FALSE(way.passages.empty()) << "the voice speaks";
+
+    std::vector<localisation::ToldWay> muted = toldWhileHeard(0.0, 35.0);
+    ASSERT_GT(muted.size(), 1U);
+    EXPECT_TRUE(muted.back().passages.empty()) << "muted on the way";
+    muted.pop_back();
+    for (const localisation::ToldWay& way : muted) EXPECT_FALSE(way.passages.empty());
+
+    std::vector<localisation::ToldWay> mute = toldWhileHeard(kEver, kEver);
+    ASSERT_EQ(mute.size(), 1U) << "no voice from the beginning";
+    EXPECT_TRUE(mute.front().passages.empty());
+
+    std::vector<localisation::ToldWay> again = toldWhileHeard(80.0, kEver);
+    ASSERT_GT(again.size(), 1U);
+    EXPECT_TRUE(again.front().passages.empty());
+    EXPECT_FALSE(again.back().passages.empty()) << "the voice is back";
 }
 
 TEST(Navigator, SaysThatARoomCannotBeReached) {

@@ -5,6 +5,7 @@
 #include "ui/convert/glyphs.h"
 #include "ui/convert/kind_style.h"
 #include "ui/map/map_colours.h"
+#include "ui/map/map_painter.h"
 #include "ui/map/map_view.h"
 
 #include <QSignalSpy>
@@ -33,6 +34,7 @@ private Q_SLOTS:
     void keysMoveAndZoom();
     void aClickSelects();
     void votesTintTheirRegions();
+    void noMarkCoversAName();
     void anEmptyMapIsPainted();
     void textIsReadableOnEveryTint_data();
     void textIsReadableOnEveryTint();
@@ -214,6 +216,45 @@ void MapTest::votesTintTheirRegions() {
     QCOMPARE(overlay.heatOf(RegionId("c")), 1.0);
     QCOMPARE(overlay.heatOf(RegionId("r1")), 0.25);
     QCOMPARE(overlay.heatOf(RegionId("lib")), 0.0);
+}
+
+void MapTest::noMarkCoversAName() {
+    const auto building = test::handMadeBuilding();
+    const MapScene scene(building);
+    const MapColours colours = MapColours::of(false);
+    for (const double metre : {12.0, 30.0}) {
+        const ViewTransform view({5.0, 3.0}, metre, {600, 400});
+        const MapPainter painter(scene, 0.0, view, colours, QFont());
+        const std::vector<PlacedName> names = painter.placedNames();
+        QVERIFY(!names.empty());
+        QVERIFY(painter.movedAside(names, {}).empty());
+        for (const PlacedName& name : names) {
+            MapOverlay overlay;
+            overlay.fix.emplace();
+            overlay.fix->region = building->regions().front().id;
+            overlay.fix->level = 0.0;
+            overlay.fix->position = view.mapFromScreen(name.box.center());
+            const std::vector<PlacedName> moved = painter.movedAside(names, overlay);
+            QVERIFY(!moved.empty());
+            const QRectF mark(name.box.center() - QPointF(8, 8), QSizeF(16, 16));
+            for (const PlacedName& each : moved) {
+                QVERIFY2(each.overMark || !each.box.intersects(mark), qPrintable(each.text));
+                for (const PlacedName& other : names) // it does not land on another one
+                    QVERIFY(other.box == each.home || each.overMark || !other.box.intersects(each.box));
+            }
+            overlay.fix->position = view.mapFromScreen({-500, -500});
+            QVERIFY(painter.movedAside(names, overlay).empty());
+            overlay.fix->position = view.mapFromScreen(name.box.center());
+            overlay.fix->level = 1.0;
+            QVERIFY(painter.movedAside(names, overlay).empty());
+        }
+        // In a large room there is room beside the mark.
+        MapOverlay overlay;
+        overlay.fix.emplace();
+        overlay.fix->region = RegionId("c");
+        const std::vector<PlacedName> moved = painter.movedAside(names, overlay);
+        if (metre > 20.0) QVERIFY(!moved.empty() && !moved.front().overMark);
+    }
 }
 
 void MapTest::anEmptyMapIsPainted() {

@@ -9,6 +9,7 @@
 #include <QPdfWriter>
 #include <QSaveFile>
 
+#include <algorithm>
 #include <set>
 #include <vector>
 
@@ -70,8 +71,14 @@ void paintPlanPage(QPainter& painter, const MapScene& scene, const LevelScene& l
     map.paintTint(painter, overlay);
     map.paintFurnishing(painter);
     map.paintRoute(painter, overlay);
-    map.paintNames(painter);
-    map.paintMarks(painter, overlay);
+    std::vector<PlacedName> names = map.placedNames();
+    const std::vector<PlacedName> moved = map.movedAside(names, overlay);
+    std::erase_if(names, [&](const PlacedName& placed) {
+        return std::any_of(moved.begin(), moved.end(),
+                           [&](const PlacedName& each) { return each.home == placed.box; });
+    });
+    map.paintNames(painter, names);
+    map.paintMarks(painter, overlay, moved);
     map.paintScale(painter);
     painter.restore();
 }

@@ -29,11 +29,6 @@ QPen roundPen(const QColor& colour, double width, Qt::PenStyle style = Qt::Solid
     return {colour, width, style, Qt::RoundCap, Qt::RoundJoin};
 }
 
-QColor withAlpha(QColor colour, int alpha) {
-    colour.setAlpha(alpha);
-    return colour;
-}
-
 } // namespace
 
 MapPainter::MapPainter(const MapScene& scene, double level, const ViewTransform& view,
@@ -156,22 +151,6 @@ void MapPainter::paintLandmark(QPainter& painter, const building::Landmark& land
     paintGlyph(painter, pathOf(landmark.kind), at, size - 4.0, colour);
 }
 
-void MapPainter::paintText(QPainter& painter, QPointF centre, const QString& text, bool upright) const {
-    const QFontMetricsF metrics(m_font);
-    QPainterPath path;
-    path.addText(-metrics.boundingRect(text).center(), m_font, text);
-    painter.save();
-    painter.translate(centre);
-    if (upright) painter.rotate(-90.0);
-    painter.setPen(QPen(withAlpha(m_colours.halo, 225), 3.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-    painter.setBrush(Qt::NoBrush);
-    painter.drawPath(path);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(m_colours.text);
-    painter.drawPath(path);
-    painter.restore();
-}
-
 std::vector<QRectF> MapPainter::symbolBoxes() const {
     std::vector<QRectF> boxes;
     if (m_view.pixelsPerMetre() < kSymbolsFromScale) return boxes;
@@ -184,49 +163,6 @@ std::vector<QRectF> MapPainter::symbolBoxes() const {
     for (const std::size_t i : m_level->landmarkIndex.meeting(seen()))
         add(m_scene.building().landmarks()[m_level->landmarks[i]].position, symbolSize());
     return boxes;
-}
-
-bool MapPainter::paintName(QPainter& painter, const RegionShape& shape, const QString& name,
-                           std::vector<QRectF>& taken) const {
-    const QFontMetricsF metrics(m_font);
-    const double scale = m_view.pixelsPerMetre();
-    const double width = metrics.horizontalAdvance(name);
-    const double roomAcross = shape.bounds.width() * scale;
-    const double roomUp = shape.bounds.height() * scale;
-    const bool upright = width > roomAcross && roomUp > 1.5 * roomAcross;
-    const double along = upright ? roomUp : roomAcross;
-    const double across = upright ? roomAcross : roomUp;
-    // A name that does not fit would be taken for the neighbour's; the pointer and the list tell it.
-    if (width > along || metrics.height() > 1.6 * across) return false;
-    const QPointF home = screen(shape.labelAt);
-    const QSizeF size = upright ? QSizeF(metrics.height(), width) : QSizeF(width, metrics.height());
-    const double slack = std::max(0.0, (along - width) / 2);
-    const double aside = std::max(0.0, (across - metrics.height()) / 2);
-    for (const double sideways : {0.0, -1.0, 1.0})
-        for (const double share : {0.0, -0.5, 0.5, -1.0, 1.0}) {
-            const double a = share * slack;
-            const double b = sideways * std::min(aside, metrics.height() * 1.2);
-            const QPointF centre = home + (upright ? QPointF(b, a) : QPointF(a, b));
-            const QRectF box(centre.x() - size.width() / 2, centre.y() - size.height() / 2, size.width(),
-                             size.height());
-            const auto hits = [&](const QRectF& other) { return other.intersects(box); };
-            if (std::any_of(taken.begin(), taken.end(), hits)) continue;
-            paintText(painter, centre, name, upright);
-            taken.push_back(box);
-            return true;
-        }
-    return false;
-}
-
-void MapPainter::paintNames(QPainter& painter) const {
-    if (!m_level) return;
-    painter.setRenderHint(QPainter::Antialiasing);
-    std::vector<QRectF> taken = symbolBoxes(); // what is set already keeps its place
-    for (const std::size_t i : m_level->regionIndex.meeting(seen())) {
-        const RegionShape& shape = m_level->regions[i];
-        if (!paintName(painter, shape, shape.label, taken) && !shape.brief.isEmpty())
-            paintName(painter, shape, shape.brief, taken);
-    }
 }
 
 } // namespace farol::ui

@@ -9,10 +9,26 @@
 #include "ui/map/view_transform.h"
 
 #include <QFont>
+#include <QRectF>
+#include <QString>
+
+#include <optional>
+#include <vector>
 
 class QPainter;
 
 namespace farol::ui {
+
+/// A region's name as it stands on the picture.
+struct PlacedName {
+    std::size_t shape = 0; ///< among the regions of the level
+    QString text;
+    QPointF centre;
+    bool upright = false;
+    QRectF box;
+    QRectF home;           ///< of a name that has moved: its box before
+    bool overMark = false; ///< there is no room beside the mark: painted after it
+};
 
 class MapPainter {
 public:
@@ -24,7 +40,14 @@ public:
     void paintTint(QPainter& painter, const MapOverlay& overlay) const;
     void paintFurnishing(QPainter& painter) const; ///< borders, walls, accesses, landmarks
     void paintRoute(QPainter& painter, const MapOverlay& overlay) const;
-    void paintNames(QPainter& painter) const; ///< above the route, which runs along the middle of corridors
+    /// Where the names stand, each clear of the symbols and of the others.
+    std::vector<PlacedName> placedNames() const;
+    /// Above the route, which runs along the middle of corridors.
+    void paintNames(QPainter& painter, const std::vector<PlacedName>& names) const;
+    /// Those of the names that paintMarks() would paint over, where they can be read beside the marks.
+    std::vector<PlacedName> movedAside(const std::vector<PlacedName>& names, const MapOverlay& overlay) const;
+    /// The marks, and the moved names below or above them.
+    void paintMarks(QPainter& painter, const MapOverlay& overlay, const std::vector<PlacedName>& moved) const;
     void paintMarks(QPainter& painter, const MapOverlay& overlay) const; ///< destination, where one is
     void paintSelection(QPainter& painter, const MapHit& hit, bool strong) const;
     /// A few words and a scale in the lower left corner.
@@ -46,11 +69,20 @@ private:
     void paintTruth(QPainter& painter, const TruePlace& truth) const;
     void paintPin(QPainter& painter, const RegionId& region, const QColor& colour) const;
     void paintText(QPainter& painter, QPointF centre, const QString& text, bool upright) const;
-    bool paintName(QPainter& painter, const RegionShape& shape, const QString& name,
-                   std::vector<QRectF>& taken) const;
+    std::optional<PlacedName> placedName(std::size_t shape, const QString& name,
+                                         const std::vector<QRectF>& taken) const;
     std::vector<QRectF> symbolBoxes() const;
+    std::vector<QRectF> markBoxes(const MapOverlay& overlay) const;
+    QRectF pinBox(const RegionId& region) const; ///< null: it is on another level
+    /// Empty: the mark of where one is stands on another level.
+    std::optional<QPointF> markAt(const MapOverlay& overlay) const;
+    bool isHere(const RegionShape* shape) const;
+    bool isHere(const TruePlace& truth) const;
     bool accessHasSymbol(const AccessShape& shape) const;
     double symbolSize() const;
+    static constexpr double kMarkRadius = 8.0, kTruthRadius = 11.0;
+    static constexpr double kArrowTip = 20.0, kArrowFoot = 7.0;
+    static QPointF ahead(Radians heading); ///< of length 1, on the screen
     QPointF screen(Point2 p) const { return m_view.screenFromMap(p); }
     Box2 seen() const; ///< what of the map the picture shows, and a little more
 

@@ -154,11 +154,28 @@ void MapPainter::paintOutline(QPainter& painter, const RegionShape& shape, const
     painter.restore();
 }
 
+bool MapPainter::isHere(const RegionShape* shape) const {
+    return shape && m_scene.building().regions()[shape->index].level == m_level->ordinal;
+}
+
+bool MapPainter::isHere(const TruePlace& truth) const {
+    return std::abs(truth.level - m_level->ordinal) <= 0.5;
+}
+
+/// Above the name.
+QRectF MapPainter::pinBox(const RegionId& region) const {
+    const RegionShape* shape = m_scene.shapeOf(region);
+    if (!isHere(shape)) return {};
+    const QPointF foot = screen(shape->labelAt) - QPointF(0, 12);
+    return {foot.x() - 12, foot.y() - 27, 24, 27};
+}
+
 void MapPainter::paintPin(QPainter& painter, const RegionId& region, const QColor& colour) const {
     const RegionShape* shape = m_scene.shapeOf(region);
-    if (!shape || m_scene.building().regions()[shape->index].level != m_level->ordinal) return;
+    if (!isHere(shape)) return;
     paintOutline(painter, *shape, colour, Qt::DashLine);
-    const QPointF foot = screen(shape->labelAt) - QPointF(0, 12);
+    const QRectF box = pinBox(region);
+    const QPointF foot(box.center().x(), box.bottom());
     QPainterPath pin;
     pin.moveTo(foot);
     pin.cubicTo(foot + QPointF(-12, -12), foot + QPointF(-10, -26), foot + QPointF(0, -26));
@@ -171,15 +188,27 @@ void MapPainter::paintPin(QPainter& painter, const RegionId& region, const QColo
     painter.drawEllipse(foot + QPointF(0, -17), 3.6, 3.6);
 }
 
+std::optional<QPointF> MapPainter::markAt(const MapOverlay& overlay) const {
+    if (!overlay.fix) return std::nullopt;
+    const localisation::Fix& fix = *overlay.fix;
+    const RegionShape* shape = fix.region ? m_scene.shapeOf(*fix.region) : nullptr;
+    if (fix.level && *fix.level != m_level->ordinal) return std::nullopt;
+    if (fix.position) return screen(*fix.position);
+    return isHere(shape) ? std::optional(screen(shape->labelAt)) : std::nullopt;
+}
+
+QPointF MapPainter::ahead(Radians heading) {
+    return {std::cos(heading.value), -std::sin(heading.value)};
+}
+
 void MapPainter::paintPlaceMark(QPainter& painter, const MapOverlay& overlay) const {
     const localisation::Fix& fix = *overlay.fix;
     const bool sure = fix.confidence >= overlay.sureConfidence;
     const RegionShape* shape = fix.region ? m_scene.shapeOf(*fix.region) : nullptr;
-    const bool shapeHere = shape && m_scene.building().regions()[shape->index].level == m_level->ordinal;
-    if (shapeHere) paintOutline(painter, *shape, m_colours.fix, sure ? Qt::SolidLine : Qt::DashLine);
-    const bool levelHere = !fix.level || *fix.level == m_level->ordinal;
-    if (!levelHere || (!fix.position && !shapeHere)) return;
-    const QPointF at = screen(fix.position ? *fix.position : shape->labelAt);
+    if (isHere(shape)) paintOutline(painter, *shape, m_colours.fix, sure ? Qt::SolidLine : Qt::DashLine);
+    const auto mark = markAt(overlay);
+    if (!mark) return;
+    const QPointF at = *mark;
     if (fix.position && fix.sigmaM > 0.0) {
         const double radius = fix.sigmaM * m_view.pixelsPerMetre();
         painter.setPen(QPen(m_colours.fix, 1.2, Qt::DashLine));
@@ -187,17 +216,16 @@ void MapPainter::paintPlaceMark(QPainter& painter, const MapOverlay& overlay) co
         painter.drawEllipse(at, radius, radius);
     }
     if (fix.heading) {
-        const double turn = fix.heading->value;
-        const QPointF ahead(std::cos(turn), -std::sin(turn));
-        const QPointF side(-ahead.y(), ahead.x());
+        const QPointF front = ahead(*fix.heading);
+        const QPointF side(-front.y(), front.x());
+        const QPointF foot = at + front * kArrowFoot;
         painter.setPen(QPen(m_colours.fixCasing, 1.5));
         painter.setBrush(m_colours.fix);
-        painter.drawPolygon(
-            QPolygonF{at + ahead * 20.0, at + ahead * 7.0 + side * 7.0, at + ahead * 7.0 - side * 7.0});
+        painter.drawPolygon(QPolygonF{at + front * kArrowTip, foot + side * 7.0, foot - side * 7.0});
     }
     painter.setPen(QPen(m_colours.fixCasing, 2.5));
     painter.setBrush(fix.position ? m_colours.fix : m_colours.floor);
-    painter.drawEllipse(at, 8.0, 8.0);
+    painter.drawEllipse(at, kMarkRadius, kMarkRadius);
     if (!fix.position) { // only the place is known, not the spot
         painter.setPen(QPen(m_colours.fix, 3.0));
         painter.drawEllipse(at, 6.5, 6.5);
@@ -207,16 +235,20 @@ void MapPainter::paintPlaceMark(QPainter& painter, const MapOverlay& overlay) co
 
 /// A figure in a ring, unlike the dot of where Farol takes somebody to be.
 void MapPainter::paintTruth(QPainter& painter, const TruePlace& truth) const {
-    if (std::abs(truth.level - m_level->ordinal) > 0.5) return;
+    if (!isHere(truth)) return;
     const QPointF at = screen(truth.position);
     painter.setPen(QPen(m_colours.text, 2.0));
     painter.setBrush(m_colours.floor);
-    painter.drawEllipse(at, 11.0, 11.0);
+    painter.drawEllipse(at, kTruthRadius, kTruthRadius);
     paintGlyph(painter, pathOf(Glyph::Visitor), at, 17.0, m_colours.text);
 }
 
-void MapPainter::paintMarks(QPainter& painter, const MapOverlay& overlay) const {
+void MapPainter::paintMarks(QPainter& painter, const MapOverlay& overlay,
+                            const std::vector<PlacedName>& moved) const {
     if (!m_level) return;
+    std::vector<PlacedName> below, above;
+    for (const PlacedName& name : moved) (name.overMark ? above : below).push_back(name);
+    paintNames(painter, below);
     painter.setRenderHint(QPainter::Antialiasing);
     if (overlay.destination) paintPin(painter, *overlay.destination, m_colours.destination);
     if (overlay.fix) {
@@ -229,6 +261,7 @@ void MapPainter::paintMarks(QPainter& painter, const MapOverlay& overlay) const 
         paintPlaceMark(painter, overlay);
     }
     if (overlay.truth) paintTruth(painter, *overlay.truth);
+    paintNames(painter, above);
 }
 
 void MapPainter::paintSelection(QPainter& painter, const MapHit& hit, bool strong) const {

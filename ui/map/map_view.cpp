@@ -163,26 +163,32 @@ MapView::Order MapView::order() const {
 MapView::Picture MapView::draw(const Order& order) {
     const MapColours colours = MapColours::of(order.dark);
     const MapPainter map(*order.scene, order.level, order.view, colours, order.font, order.style);
-    const auto paint = [&](QImage::Format format, auto part) {
+    const auto layer = [&](QImage::Format format, const auto& paint) {
         QImage image(order.size * order.ratio, format);
         image.setDevicePixelRatio(order.ratio);
         image.fill(Qt::transparent);
         QPainter painter(&image);
-        (map.*part)(painter);
+        paint(painter);
         return image;
     };
-    return {paint(QImage::Format_RGB32, &MapPainter::paintGround),
-            paint(QImage::Format_ARGB32_Premultiplied, &MapPainter::paintFurnishing),
-            paint(QImage::Format_ARGB32_Premultiplied, &MapPainter::paintNames),
-            order.view,
-            order.level,
-            order.version};
+    std::vector<PlacedName> placed = map.placedNames();
+    QImage names = layer(QImage::Format_ARGB32_Premultiplied,
+                         [&](QPainter& painter) { map.paintNames(painter, placed); });
+    return {
+        layer(QImage::Format_RGB32, [&](QPainter& painter) { map.paintGround(painter); }),
+        layer(QImage::Format_ARGB32_Premultiplied, [&](QPainter& painter) { map.paintFurnishing(painter); }),
+        std::move(names),
+        std::move(placed),
+        order.view,
+        order.level,
+        order.version};
 }
 
 void MapView::take(Picture picture) {
     m_ground = QPixmap::fromImage(std::move(picture.ground));
     m_furnishing = QPixmap::fromImage(std::move(picture.furnishing));
     m_names = QPixmap::fromImage(std::move(picture.names));
+    m_placedNames = std::move(picture.placedNames);
     m_pictureView = picture.view;
     m_pictureLevel = picture.level;
     m_pictureVersion = picture.version;
@@ -218,6 +224,18 @@ void MapView::paintPicture(QPainter& painter, const QPixmap& picture) const {
     painter.restore();
 }
 
+/// All but those that have moved.
+void MapView::paintNames(QPainter& painter, const std::vector<PlacedName>& moved) const {
+    constexpr double kHalo = 2.0;
+    QRegion rest(rect());
+    for (const PlacedName& name : moved)
+        rest -= name.home.adjusted(-kHalo, -kHalo, kHalo, kHalo).toAlignedRect();
+    painter.save();
+    if (!moved.empty()) painter.setClipRegion(rest);
+    paintPicture(painter, m_names);
+    painter.restore();
+}
+
 void MapView::paintMap(QPainter& painter) {
     const MapColours colours = MapColours::of(isDark(palette()));
     const MapPainter map(*m_scene, m_level, m_view, colours, font(), m_style);
@@ -228,8 +246,11 @@ void MapView::paintMap(QPainter& painter) {
     map.paintTint(painter, m_overlay);
     if (usable) paintPicture(painter, m_furnishing);
     map.paintRoute(painter, m_overlay);
-    if (usable) paintPicture(painter, m_names);
-    map.paintMarks(painter, m_overlay);
+    // While the view moves, the names are those of the old picture.
+    std::vector<PlacedName> moved;
+    if (usable && m_pictureView == m_view) moved = map.movedAside(m_placedNames, m_overlay);
+    if (usable) paintNames(painter, moved);
+    map.paintMarks(painter, m_overlay, moved);
     if (m_hovered) map.paintSelection(painter, *m_hovered, false);
     if (m_selected) map.paintSelection(painter, *m_selected, true);
     if (m_grip && m_dragging && m_selected) map.paintMoving(painter, *m_selected, m_movedBy);

@@ -4,6 +4,7 @@
 #include "ui/convert/background.h"
 #include "ui/map/hit_detector.h"
 #include "ui/map/map_overlay.h"
+#include "ui/map/map_painter.h"
 #include "ui/map/map_scene.h"
 #include "ui/map/view_transform.h"
 
@@ -13,6 +14,7 @@
 
 #include <functional>
 #include <optional>
+#include <vector>
 
 namespace farol::ui {
 
@@ -79,6 +81,7 @@ private:
     /// The still parts of the map as pictures, for one level and one view.
     struct Picture {
         QImage ground, furnishing, names;
+        std::vector<PlacedName> placedNames;
         ViewTransform view;
         double level = 0.0;
         std::uint64_t version = 0; ///< of what was drawn
@@ -100,6 +103,7 @@ private:
     void refreshPicture();
     void take(Picture picture);
     void paintPicture(QPainter& painter, const QPixmap& picture) const;
+    void paintNames(QPainter& painter, const std::vector<PlacedName>& moved) const;
     void paintMap(QPainter& painter);
     void paintCross(QPainter& painter) const;
     void setScene(std::shared_ptr<const MapScene> scene);
@@ -118,6 +122,7 @@ private:
     ViewTransform m_view;
     bool m_fitted = true; ///< keep showing all on a resize, until the user moves the map
     QPixmap m_ground, m_furnishing, m_names;
+    std::vector<PlacedName> m_placedNames;
     ViewTransform m_pictureView; ///< of the pictures
     double m_pictureLevel = 0.0;
     std::uint64_t m_version = 1, m_pictureVersion = 0;

@@ -227,7 +227,9 @@ QVariant FeatureModel::data(const QModelIndex& index, int role) const {
 }
 
 QVariant FeatureModel::headerData(int section, Qt::Orientation orientation, int role) const {
-    if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
+    const bool known =
+        role == Qt::DisplayRole || role == Qt::ToolTipRole; // it may be cut short on the screen
+    if (orientation != Qt::Horizontal || !known) return {};
     return section >= 0 && section < m_headings.size() ? QVariant(m_headings[section]) : QVariant();
 }
 

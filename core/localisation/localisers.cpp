@@ -21,9 +21,10 @@ Result<std::unique_ptr<Localiser>> makeLocaliser(const std::string& name,
     if (name == "voting") return makeVotingLocaliser(std::move(building));
     if (name == "voting-literal")
         return makeVotingLocaliser(std::move(building), VotingOptions::literal(), name);
-    return Error{
-        ErrorCode::InvalidArgument,
-        "there is no localiser of this name; there are voting, voting-literal, bayes and bayes-guided", name};
+    return Error{ErrorCode::InvalidArgument,
+                 "there is no localiser of this name; there are voting, voting-literal, bayes, bayes-guided "
+                 "and bayes-guided-sparse",
+                 name};
 }
 
 } // namespace farol::localisation

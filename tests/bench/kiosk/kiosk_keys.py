@@ -82,7 +82,7 @@ class Driver:
                 self.say("Escape", "Stop the guidance?")
         elif way == "arrived":
             self.choose("Office 0.03", "0", "period", "0", "3")
-            arrival = ("already there", "have arrived")
+            arrival = ("already there", "there already", "have arrived", "have probably arrived")
             told = [line["text"] for line in self.kiosk.heard[-2:]]  # it may have come with the answer to the key
             if not any(words in text for words in arrival for text in told):
                 self.kiosk.hear(*arrival)

@@ -75,7 +75,7 @@ bool sameWay(const localisation::ToldWay& a, const localisation::ToldWay& b) {
     return std::equal(a.passages.begin(), a.passages.end(), b.passages.begin(), b.passages.end(),
                       [](const Passage& one, const Passage& other) {
                           return one.kind == other.kind && one.level == other.level &&
-                                 one.targetLevel == other.targetLevel;
+                                 one.targetLevel == other.targetLevel && one.intoLift == other.intoLift;
                       });
 }
 

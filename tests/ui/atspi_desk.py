@@ -36,7 +36,7 @@ def until(what, condition, patience=PATIENCE):
 class Desk:
     """The program, what it shows, and the keys that are pressed in it. Failures are collected, not thrown."""
 
-    def __init__(self, farol, building):
+    def __init__(self, farol, building, *options):
         import gi
         gi.require_version("Atspi", "2.0")
         from gi.repository import Atspi, GLib
@@ -46,14 +46,14 @@ class Desk:
         self.home = tempfile.TemporaryDirectory()
         environment = {**os.environ, "HOME": self.home.name, "XDG_CONFIG_HOME": self.home.name,
                        "XDG_DATA_HOME": self.home.name, "XDG_RUNTIME_DIR": self.home.name}
-        self._program = subprocess.Popen([farol, "--lang", "en", "--map", building], env=environment,
+        self._program = subprocess.Popen([farol, "--lang", "en", "--map", building, *options], env=environment,
                                          stderr=subprocess.DEVNULL)
         try:
             self._app = until("the program is not on the bus", self._application)
             self.frame = until("the program has no window", self._window)
             until("the map is not shown", lambda: " – " in self.frame.get_name())
-            found = subprocess.run(["xdotool", "search", "--onlyvisible", "--name", self.frame.get_name()], check=True,
-                                   capture_output=True, text=True)
+            found = subprocess.run(["xdotool", "search", "--all", "--onlyvisible", "--pid", str(self._program.pid), "--name",
+                                    self.frame.get_name()], check=True, capture_output=True, text=True)
             self._id = found.stdout.split()[0]
             self.to_the_front()
         except BaseException:
@@ -85,7 +85,7 @@ class Desk:
         desktop.clear_cache()
         for i in range(desktop.get_child_count()):
             each = desktop.get_child_at_index(i)
-            if each is not None and each.get_name().lower().startswith("farol"):
+            if each is not None and each.get_process_id() == self._program.pid:
                 return each
         return None
 

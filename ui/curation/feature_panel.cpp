@@ -10,6 +10,7 @@
 #include <QHeaderView>
 #include <QLineEdit>
 #include <QScopedValueRollback>
+#include <QStyleOptionHeader>
 #include <QTableView>
 #include <QVBoxLayout>
 
@@ -22,6 +23,27 @@ namespace {
 
 constexpr int kWidestColumn = 220;
 constexpr int kNarrowestColumn = 36; // some letters and an ellipsis
+
+/// The style cuts a heading off that has no room; here it ends in an ellipsis.
+class ElidedHeader : public QHeaderView {
+public:
+    explicit ElidedHeader(QWidget* parent) : QHeaderView(Qt::Horizontal, parent) {
+        setSectionsClickable(true);
+        setHighlightSections(false);
+        setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+        setTextElideMode(Qt::ElideRight);
+    }
+
+protected:
+    void initStyleOptionForIndex(QStyleOptionHeader* option, int section) const override {
+        QHeaderView::initStyleOptionForIndex(option, section);
+        const int margin = style()->pixelMetric(QStyle::PM_HeaderMargin, option, this);
+        const bool arrow = isSortIndicatorShown() && sortIndicatorSection() == section;
+        const int taken =
+            2 * margin + (arrow ? style()->pixelMetric(QStyle::PM_HeaderMarkSize, option, this) : 0);
+        option->text = fontMetrics().elidedText(option->text, Qt::ElideRight, sectionSize(section) - taken);
+    }
+};
 
 /// The widest that each may be, so that all together are no wider than this.
 int capFor(std::vector<int> widths, int room) {
@@ -64,17 +86,17 @@ FeaturePanel::FeaturePanel(QWidget* parent)
     m_filter.setDynamicSortFilter(true);
     for (int i = 0; i < 3; ++i) m_sort->addItem(QString());
     m_search->setClearButtonEnabled(true);
-    m_table->setSortingEnabled(true);
-    m_table->sortByColumn(-1, Qt::AscendingOrder);
-    QHeaderView* header = m_table->horizontalHeader();
+    auto* header = new ElidedHeader(m_table);
+    m_table->setHorizontalHeader(header);
     header->setSectionResizeMode(QHeaderView::Interactive);
     header->setMinimumSectionSize(kNarrowestColumn);
     header->setMaximumSectionSize(kWidestColumn);
     header->setStretchLastSection(true);
-    header->setTextElideMode(Qt::ElideRight);
     header->viewport()->installEventFilter(this);
     connect(header, &QHeaderView::sectionResized, this, [this] { m_ownWidths = m_ownWidths || m_gripped; });
     m_table->viewport()->installEventFilter(this);
+    m_table->setSortingEnabled(true);
+    m_table->sortByColumn(-1, Qt::AscendingOrder);
     auto* bar = new QHBoxLayout;
     bar->addWidget(m_sort);
     bar->addWidget(m_search, 1);

@@ -1,6 +1,7 @@
 #include "core/localisation/sensor_model.h"
 
 #include "core/base/text.h"
+#include "core/building/unmarked_doors.h"
 #include "core/localisation/quick_math.h"
 
 #include <algorithm>
@@ -137,41 +138,45 @@ SensorModel::SensorModel(std::shared_ptr<const WalkingMap> map, const SensorOpti
 }
 
 void SensorModel::addLandmarks() {
-    std::map<std::string, std::int32_t> texts;
     const auto& building = m_map->building();
-    for (const Landmark& landmark : building.landmarks()) {
-        auto region = building.regionIndex(landmark.region);
-        if (!region) region = building.regionAt(landmark.position, landmark.level);
-        if (!region || !isFinite(landmark.position)) continue;
-        Item item;
-        item.at = m_map->local(landmark.position);
-        item.region = static_cast<std::uint32_t>(*region);
-        item.kind = static_cast<std::uint8_t>(indexOf(landmark.kind));
-        item.reachM = reachOf(landmark);
-        m_farthestM = std::max(m_farthestM, item.reachM);
-        if (landmark.heading) {
-            item.nx = static_cast<float>(std::cos(landmark.heading->value));
-            item.ny = static_cast<float>(std::sin(landmark.heading->value));
-        }
-        if (!landmark.templateId.empty())
-            item.templateIndex =
-                m_templates
-                    .try_emplace(landmark.templateId.value, static_cast<std::int32_t>(m_templates.size()))
-                    .first->second;
-        if (landmark.kind == Kind::Place && item.templateIndex >= 0)
-            m_placesOf[item.templateIndex].push_back(static_cast<std::uint32_t>(m_items.size()));
-        if (std::string text = foldedForMatching(landmark.text); !text.empty()) {
-            item.text = texts.try_emplace(text, static_cast<std::int32_t>(texts.size())).first->second;
-            if (static_cast<std::size_t>(item.text) == m_texts.size()) {
-                m_texts.push_back(text);
-                m_shapes.push_back(shapeOf(text));
-                m_itemsOfText.emplace_back();
-                m_shareOfText.push_back(0.0F);
-            }
-        }
-        addItem(item);
-    }
+    Texts texts;
+    for (const Landmark& landmark : building.landmarks()) addLandmark(landmark, texts);
+    if (m_options.camera)
+        for (const Landmark& door : building::unmarkedDoors(building)) addLandmark(door, texts);
     addTwins();
+}
+
+void SensorModel::addLandmark(const Landmark& landmark, Texts& texts) {
+    const auto& building = m_map->building();
+    auto region = building.regionIndex(landmark.region);
+    if (!region) region = building.regionAt(landmark.position, landmark.level);
+    if (!region || !isFinite(landmark.position)) return;
+    Item item;
+    item.at = m_map->local(landmark.position);
+    item.region = static_cast<std::uint32_t>(*region);
+    item.kind = static_cast<std::uint8_t>(indexOf(landmark.kind));
+    item.reachM = reachOf(landmark);
+    m_farthestM = std::max(m_farthestM, item.reachM);
+    if (landmark.heading) {
+        item.nx = static_cast<float>(std::cos(landmark.heading->value));
+        item.ny = static_cast<float>(std::sin(landmark.heading->value));
+    }
+    if (!landmark.templateId.empty())
+        item.templateIndex =
+            m_templates.try_emplace(landmark.templateId.value, static_cast<std::int32_t>(m_templates.size()))
+                .first->second;
+    if (landmark.kind == Kind::Place && item.templateIndex >= 0)
+        m_placesOf[item.templateIndex].push_back(static_cast<std::uint32_t>(m_items.size()));
+    if (std::string text = foldedForMatching(landmark.text); !text.empty()) {
+        item.text = texts.try_emplace(text, static_cast<std::int32_t>(texts.size())).first->second;
+        if (static_cast<std::size_t>(item.text) == m_texts.size()) {
+            m_texts.push_back(text);
+            m_shapes.push_back(shapeOf(text));
+            m_itemsOfText.emplace_back();
+            m_shareOfText.push_back(0.0F);
+        }
+    }
+    addItem(item);
 }
 
 void SensorModel::addItem(Item item) {

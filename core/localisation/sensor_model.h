@@ -131,7 +131,10 @@ private:
         float range = 0.0F, dx = 0.0F, dy = 0.0F, visible = 0.0F;
     };
 
+    using Texts = std::map<std::string, std::int32_t>;
+
     void addLandmarks();
+    void addLandmark(const building::Landmark& landmark, Texts& texts);
     void addItem(Item item);
     void addTwins();
     static bool surveyed(const Item& like, const std::vector<Item>& places);

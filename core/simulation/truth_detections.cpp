@@ -1,5 +1,7 @@
 #include "core/simulation/truth_detections.h"
 
+#include "core/building/unmarked_doors.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -111,19 +113,23 @@ std::size_t TruthDetections::below(std::size_t count) {
 
 void TruthDetections::placeThings() {
     const building::Building& building = m_world->building();
-    for (const building::Landmark& landmark : building.landmarks()) {
-        if (!landmark.text.empty()) m_texts.push_back(landmark.text);
-        auto region = building.regionIndex(landmark.region);
-        bool gone = chance(m_options.stale);
-        if (!region || gone || !detectable(landmark)) continue;
-        Thing thing{landmark.kind, landmark.templateId, landmark.text, landmark.position, landmark.heading};
-        thing.heightM = landmark.heightM.value_or(thing.heightM);
-        thing.wideM = landmark.widthM.value_or(thing.wideM);
-        thing.tallM = landmark.tallM.value_or(thing.tallM);
-        thing.reachM = m_options.camera ? reachOf(landmark) : m_options.reachM;
-        m_things[*region].push_back(std::move(thing));
-    }
+    for (const building::Landmark& landmark : building.landmarks()) placeThing(landmark);
+    if (m_options.camera)
+        for (const building::Landmark& door : building::unmarkedDoors(building)) placeThing(door);
     for (std::size_t region = 0; region < m_things.size(); ++region) addClutter(region);
+}
+
+void TruthDetections::placeThing(const building::Landmark& landmark) {
+    if (!landmark.text.empty()) m_texts.push_back(landmark.text);
+    auto region = m_world->building().regionIndex(landmark.region);
+    bool gone = chance(m_options.stale);
+    if (!region || gone || !detectable(landmark)) return;
+    Thing thing{landmark.kind, landmark.templateId, landmark.text, landmark.position, landmark.heading};
+    thing.heightM = landmark.heightM.value_or(thing.heightM);
+    thing.wideM = landmark.widthM.value_or(thing.wideM);
+    thing.tallM = landmark.tallM.value_or(thing.tallM);
+    thing.reachM = m_options.camera ? reachOf(landmark) : m_options.reachM;
+    m_things[*region].push_back(std::move(thing));
 }
 
 void TruthDetections::addClutter(std::size_t region) {

@@ -62,6 +62,7 @@ private:
     };
 
     void placeThings();
+    void placeThing(const building::Landmark& landmark);
     void addClutter(std::size_t region);
     void seeRegion(std::size_t region, const Passage* through);
     void see(Thing& thing, std::size_t region, const Passage* through);

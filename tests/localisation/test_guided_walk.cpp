@@ -155,6 +155,26 @@ TEST(GuidedWalk, ATrainedThingIsKnownFromFarAway) {
     EXPECT_NEAR(distance(*person.fix().position, poster), 9.0, 1.5);
 }
 
+TEST(GuidedWalk, ADoorThatThePlanOnlyDrawsIsSomethingToSee) {
+    AsciiMap map;
+    map.floor(R"(
++-----------------------------+
+|K                           k|
+|                             |
++---------------------------/-+
+|R                            |
+|                             |
++-----------------------------+
+)");
+    auto building = map.build();
+    ASSERT_TRUE(building->landmarks().empty());
+    Blind person(building, "K");
+    for (int i = 0; i < 6; ++i) person.see(Kind::Door, "", "", 1.2, 0.0).stand(1.0);
+    EXPECT_EQ(person.region(), "K");
+    ASSERT_TRUE(person.fix().position);
+    EXPECT_LT(distance(*person.fix().position, building->accesses().front().midpoint()), 2.0);
+}
+
 TEST(GuidedWalk, LettersThatLookAlikeAreReadForOneAnother) {
     AsciiMap map;
     map.floor(R"(

@@ -45,8 +45,6 @@ private Q_SLOTS:
     void theMissingMapIsTold();
     void theMissingSourceIsTold();
     void theEndOfThePicturesIsToldAndTriedAgain();
-    void anUnpluggedCameraIsToldAndComesBack();
-    void aCameraThatGivesUpIsTold();
     void noCameraIsTold();
     void aMissingLibraryIsTold();
     void itLeavesAfterTheLastWords();
@@ -85,7 +83,6 @@ private:
     std::unique_ptr<KioskPage> m_page;
     QStringList m_log;
     int m_warnings = 0;
-    std::shared_ptr<test::Cable> m_cable;
     std::function<bool(const VoiceChoice&)> m_works; ///< which voices do; none: all
 };
 
@@ -109,7 +106,6 @@ void KioskTest::init() {
     QFile::remove(m_start.memoryFile);
     m_warnings = 0;
     m_works = {};
-    m_cable = std::make_shared<test::Cable>();
 }
 
 void KioskTest::cleanup() {
@@ -124,12 +120,9 @@ void KioskTest::make(std::uint64_t frames, const QString& from) {
     m_log.clear();
     m_start.from = from;
     const auto open =
-        [frames, cable = m_cable](
-            const std::string& name,
-            const capture::SourceOptions& options) -> Result<std::unique_ptr<capture::FrameSource>> {
+        [frames](const std::string& name,
+                 const capture::SourceOptions& options) -> Result<std::unique_ptr<capture::FrameSource>> {
         if (name.front() == '/') return capture::openSource(name, options);
-        if (name == "cable")
-            return std::unique_ptr<capture::FrameSource>(std::make_unique<test::CameraOnCable>(cable));
         if (name == "broken") return Error{ErrorCode::Unavailable, "there is no such camera", name};
         return std::unique_ptr<capture::FrameSource>(std::make_unique<test::FakeSource>(frames, 0.05));
     };
@@ -230,52 +223,6 @@ void KioskTest::theEndOfThePicturesIsToldAndTriedAgain() {
     QTRY_VERIFY(heard("I try the camera again"));
     QTRY_COMPARE_WITH_TIMEOUT(began.count(), 1, 60000);
     QTRY_VERIFY_WITH_TIMEOUT(heard("Stop. The camera gives no pictures"), 60000);
-}
-
-void KioskTest::anUnpluggedCameraIsToldAndComesBack() {
-    m_start.source = QStringLiteral("cable");
-    start();
-    bring(KioskState::Walking);
-    m_log.clear();
-    const int warnings = m_warnings;
-    m_cable->setPlugged(false);
-    QTRY_VERIFY_WITH_TIMEOUT(heard("Stop. The camera gives no picture, and I cannot guide you."), 60000);
-    QCOMPARE(m_log.filter(QStringLiteral("The camera gives no picture")).size(), 1);
-    QVERIFY(m_warnings > warnings);
-    auto* detail = m_page->findChild<QLabel*>(QStringLiteral("detail"));
-    QVERIFY(detail && detail->isVisible() && detail->text().contains(QLatin1String("no picture")));
-    m_log.clear();
-    key(Qt::Key_N); // an answer would be of a place seen long ago
-    QTRY_VERIFY(heard("Stop. The camera gives no pictures"));
-    key(Qt::Key_Return);
-    QTRY_VERIFY(heard("I try the camera again"));
-    QCOMPARE(m_kiosk->walk().state(), session::RunState::Running);
-    m_cable->setPlugged(true);
-    QTRY_VERIFY_WITH_TIMEOUT(heard("The camera works again."), 60000);
-    QCOMPARE(m_log.filter(QStringLiteral("works again")).size(), 1);
-    QVERIFY(!detail->isVisible());
-    m_log.clear();
-    key(Qt::Key_N);
-    QTRY_VERIFY_WITH_TIMEOUT(!m_log.isEmpty(), 60000);
-    QVERIFY(!heard("no picture"));
-}
-
-void KioskTest::aCameraThatGivesUpIsTold() {
-    m_start.source = QStringLiteral("cable");
-    start();
-    bring(KioskState::Walking);
-    m_log.clear();
-    m_cable->pull();
-    QTRY_COMPARE_WITH_TIMEOUT(m_kiosk->walk().state(), session::RunState::Failed, 60000);
-    QTRY_VERIFY_WITH_TIMEOUT(heard("Stop. The camera gives no picture"), 60000);
-    QCOMPARE(m_log.filter(QStringLiteral("no picture")).size(), 1);
-    QVERIFY(m_kiosk->detail().contains(QLatin1String("no picture")));
-    m_cable->setPlugged(true);
-    QSignalSpy began(&m_kiosk->walk(), &Walk::walkBegan);
-    key(Qt::Key_Return);
-    QTRY_COMPARE_WITH_TIMEOUT(began.count(), 1, 60000);
-    QTRY_VERIFY_WITH_TIMEOUT(heard("The camera works again."), 60000);
-    QVERIFY(m_kiosk->detail().isEmpty());
 }
 
 void KioskTest::noCameraIsTold() {

@@ -84,7 +84,7 @@ void listenInDemo(Listener& listener) {
         std::make_shared<const farol::building::Building>(farol::demo::demoBuilding()));
     const auto& regions = world->building().regions();
     farol::ui::Phrasebook words;
-    for (std::size_t walk = 0; walk < 12; ++walk) {
+    for (std::size_t walk = 0; walk < 16; ++walk) {
         farol::session::ClosedLoopOptions options;
         options.walker.seed = walk;
         options.truePlace = walk % 2 == 0 ? farol::session::TruePlace::Spot : farol::session::TruePlace::No;

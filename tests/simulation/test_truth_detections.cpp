@@ -1,6 +1,7 @@
 #include "core/simulation/truth_detections.h"
 #include "tests/support/ascii_map.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 
 namespace farol::simulation {
@@ -93,6 +94,12 @@ TEST_F(TruthDetectionsTest, TheProgramsOwnEyesTellATrainedThingAgainAndAgainAsTh
     options.wrongKind = options.misread = options.noRange = options.stale = 0.0;
     options.falsePerSecond = options.clutterPerM2 = 0.0;
     auto found = seen(options, -60.0, 30.0);
+    // The door beside it is seen, too, without anybody having listed it.
+    auto trained = std::stable_partition(found.begin(), found.end(), [](const recognition::Detection& each) {
+        return each.kind != Kind::Door;
+    });
+    EXPECT_LT(trained, found.end());
+    found.erase(trained, found.end());
     ASSERT_GT(found.size(), 10U);
     for (const recognition::Detection& each : found) {
         EXPECT_EQ(each.templateId.value, "red");

@@ -111,8 +111,6 @@ private:
         for (int section = 0; section < header.count(); ++section) {
             if (header.isSectionHidden(section)) continue;
             const QString text = header.model()->headerData(section, Qt::Horizontal).toString();
-            const QVariant tip = header.model()->headerData(section, Qt::Horizontal, Qt::ToolTipRole);
-            if (isElided(header, section) && tip.toString() == text) continue;
             const QFont font = header.font();
             const int margin = header.style()->pixelMetric(QStyle::PM_HeaderMargin, nullptr, &header);
             compare(header, text, {QFontMetrics(font).horizontalAdvance(text) + 2 * margin, 0},
@@ -144,18 +142,10 @@ private:
             }
     }
 
-    /// Cut short with an ellipsis, which is no clipping where the tool tip has the whole.
-    static bool isElided(const QHeaderView& header, int section) {
-        return header.textElideMode() != Qt::ElideNone &&
-               header.sectionResizeMode(section) == QHeaderView::Interactive;
-    }
-
-    /// A table whose columns the user sets may cut short what does not fit; the others must have room for
-    /// all.
+    /// A table whose columns the user sets scrolls to what does not fit; the others must have room for all.
     void lookAtCell(const QAbstractItemView& view, const QModelIndex& cell, const QRect& place,
                     const QHeaderView& columns) {
         const QString text = cell.data().toString();
-        if (isElided(columns, cell.column()) && cell.data(Qt::ToolTipRole).toString() == text) return;
         QSize needs = view.sizeHintForIndex(cell);
         const auto* table = qobject_cast<const QTableView*>(&view);
         if (table && table->wordWrap() && needs.width() > place.width()) {

@@ -26,12 +26,10 @@
 #include <QCompleter>
 #include <QDir>
 #include <QDoubleSpinBox>
-#include <QHeaderView>
 #include <QLineEdit>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QRegularExpression>
-#include <QScrollBar>
 #include <QSignalSpy>
 #include <QTabWidget>
 #include <QTableView>
@@ -54,7 +52,6 @@ private Q_SLOTS:
     void keysSwitchTheLevel();
     void planAndTableChooseTheSame();
     void theTableIsSearched();
-    void theTableFitsUntilTheUserWidensIt();
     void aRouteIsChosenByTyping();
     void aRouteThatDoesNotExistIsToldWhy();
     void aLandmarkIsAddedByKeys();
@@ -191,39 +188,6 @@ void CurationTest::planAndTableChooseTheSame() {
         QCOMPARE(view.selected(), m_page->features().selected());
         QCOMPARE(view.level(), map().regions()[view.selected()->index].level);
     }
-}
-
-void CurationTest::theTableFitsUntilTheUserWidensIt() {
-    open(m_file);
-    FeaturePanel& panel = m_page->features();
-    const QScrollBar* bar = panel.table().horizontalScrollBar();
-    QHeaderView* header = panel.table().horizontalHeader();
-    for (const QSize size : {QSize(1920, 1080), QSize(1280, 800), QSize(1100, 700)}) {
-        m_page->resize(size);
-        for (int sort = 0; sort < 3; ++sort) {
-            panel.sort().setCurrentIndex(sort);
-            QTRY_COMPARE(bar->maximum(), 0);
-            for (int column = 0; column < header->count(); ++column) { // what is cut short is told in full
-                const QString heading = panel.model().headerData(column, Qt::Horizontal).toString();
-                QCOMPARE(panel.model().headerData(column, Qt::Horizontal, Qt::ToolTipRole).toString(),
-                         heading);
-            }
-        }
-    }
-    panel.sort().setCurrentIndex(0);
-    const int edge = header->sectionViewportPosition(1) - 1;
-    QTest::mouseMove(header->viewport(), {edge, 5});
-    QTest::mousePress(header->viewport(), Qt::LeftButton, {}, {edge, 5});
-    QTest::mouseMove(header->viewport(), {edge + 90, 5});
-    QTest::mouseRelease(header->viewport(), Qt::LeftButton, {}, {edge + 90, 5});
-    const int widened = header->sectionSize(0);
-    QVERIFY(widened > edge + 1);
-    QTRY_VERIFY(bar->maximum() > 0);
-    m_page->resize(1080, 700);
-    QTRY_VERIFY(bar->maximum() > 0);
-    QCOMPARE(header->sectionSize(0), widened);
-    panel.sort().setCurrentIndex(1); // another table: its own widths
-    QTRY_COMPARE(bar->maximum(), 0);
 }
 
 void CurationTest::theTableIsSearched() {

@@ -10,68 +10,14 @@
 #include <QHeaderView>
 #include <QLineEdit>
 #include <QScopedValueRollback>
-#include <QStyleOptionHeader>
 #include <QTableView>
 #include <QVBoxLayout>
-
-#include <algorithm>
-#include <numeric>
 
 namespace farol::ui {
 
 namespace {
 
 constexpr int kWidestColumn = 220;
-constexpr int kNarrowestColumn = 36; // some letters and an ellipsis
-
-/// The style cuts a heading off that has no room; here it ends in an ellipsis.
-class ElidedHeader : public QHeaderView {
-public:
-    explicit ElidedHeader(QWidget* parent) : QHeaderView(Qt::Horizontal, parent) {
-        setSectionsClickable(true);
-        setHighlightSections(false);
-        setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-        setTextElideMode(Qt::ElideRight);
-    }
-
-protected:
-    void initStyleOptionForIndex(QStyleOptionHeader* option, int section) const override {
-        QHeaderView::initStyleOptionForIndex(option, section);
-        const int margin = style()->pixelMetric(QStyle::PM_HeaderMargin, option, this);
-        const bool arrow = isSortIndicatorShown() && sortIndicatorSection() == section;
-        const int taken =
-            2 * margin + (arrow ? style()->pixelMetric(QStyle::PM_HeaderMarkSize, option, this) : 0);
-        option->text = fontMetrics().elidedText(option->text, Qt::ElideRight, sectionSize(section) - taken);
-    }
-};
-
-/// The widest that each may be, so that all together are no wider than this.
-int capFor(std::vector<int> widths, int room) {
-    std::sort(widths.begin(), widths.end());
-    for (std::size_t i = 0; i < widths.size(); ++i) {
-        const int share = room / static_cast<int>(widths.size() - i);
-        if (widths[i] > share) return share;
-        room -= widths[i];
-    }
-    return kWidestColumn;
-}
-
-/// As wide as all they hold where there is room; else the headings give way first, then the longest texts.
-std::vector<int> fitted(const std::vector<int>& whole, const std::vector<int>& contents, int room) {
-    if (std::accumulate(whole.begin(), whole.end(), 0) <= room) return whole;
-    std::vector<int> widths = contents;
-    const int left = room - std::accumulate(contents.begin(), contents.end(), 0);
-    if (left <= 0) {
-        const int cap = std::max(capFor(contents, room), kNarrowestColumn);
-        for (int& width : widths) width = std::min(width, cap);
-        return widths;
-    }
-    std::vector<int> more;
-    for (std::size_t i = 0; i < whole.size(); ++i) more.push_back(whole[i] - contents[i]);
-    const int cap = capFor(more, left);
-    for (std::size_t i = 0; i < whole.size(); ++i) widths[i] += std::min(more[i], cap);
-    return widths;
-}
 
 } // namespace
 
@@ -86,17 +32,11 @@ FeaturePanel::FeaturePanel(QWidget* parent)
     m_filter.setDynamicSortFilter(true);
     for (int i = 0; i < 3; ++i) m_sort->addItem(QString());
     m_search->setClearButtonEnabled(true);
-    auto* header = new ElidedHeader(m_table);
-    m_table->setHorizontalHeader(header);
-    header->setSectionResizeMode(QHeaderView::Interactive);
-    header->setMinimumSectionSize(kNarrowestColumn);
-    header->setMaximumSectionSize(kWidestColumn);
-    header->setStretchLastSection(true);
-    header->viewport()->installEventFilter(this);
-    connect(header, &QHeaderView::sectionResized, this, [this] { m_ownWidths = m_ownWidths || m_gripped; });
-    m_table->viewport()->installEventFilter(this);
     m_table->setSortingEnabled(true);
     m_table->sortByColumn(-1, Qt::AscendingOrder);
+    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::Interactive);
+    m_table->horizontalHeader()->setMaximumSectionSize(kWidestColumn);
+    m_table->horizontalHeader()->setStretchLastSection(true);
     auto* bar = new QHBoxLayout;
     bar->addWidget(m_sort);
     bar->addWidget(m_search, 1);
@@ -145,41 +85,10 @@ void FeaturePanel::showColumns() {
     }
 }
 
-/// What the columns hold is measured, and they are made as wide as there is room.
 void FeaturePanel::fitColumns() {
-    m_whole.clear();
-    m_contents.clear();
-    const QAbstractItemView* view = m_table;
-    for (int column = 0; column < m_model.columnCount(); ++column) {
-        if (m_table->isColumnHidden(column)) continue;
-        const int cells = std::clamp(view->sizeHintForColumn(column), kNarrowestColumn, kWidestColumn);
-        const int heading = m_table->horizontalHeader()->sectionSizeHint(column);
-        m_contents.push_back(cells);
-        m_whole.push_back(std::clamp(heading, cells, kWidestColumn));
-    }
-    m_ownWidths = false;
-    shareRoom();
-}
-
-void FeaturePanel::shareRoom() {
-    if (m_ownWidths || m_whole.empty()) return;
-    const std::vector<int> widths = fitted(m_whole, m_contents, m_table->viewport()->width());
-    std::size_t at = 0;
-    for (int column = 0; column < m_model.columnCount() && at < widths.size(); ++column)
-        if (!m_table->isColumnHidden(column)) m_table->setColumnWidth(column, widths[at++]);
+    m_table->resizeColumnsToContents();
     m_table->horizontalHeader()->setStretchLastSection(false); // it has forgotten to
     m_table->horizontalHeader()->setStretchLastSection(true);
-}
-
-/// The columns share the room anew when it changes, until the user has set their widths.
-bool FeaturePanel::eventFilter(QObject* watched, QEvent* event) {
-    const QEvent::Type type = event->type();
-    if (watched == m_table->viewport() && type == QEvent::Resize) shareRoom();
-    if (watched == m_table->horizontalHeader()->viewport()) {
-        if (type == QEvent::MouseButtonPress || type == QEvent::MouseButtonDblClick) m_gripped = true;
-        if (type == QEvent::MouseButtonRelease) m_gripped = false;
-    }
-    return QWidget::eventFilter(watched, event);
 }
 
 std::optional<MapHit> FeaturePanel::hitOf(const QModelIndex& index) const {

@@ -8,7 +8,6 @@
 #include <QWidget>
 
 #include <optional>
-#include <vector>
 
 class QCheckBox;
 class QComboBox;
@@ -41,14 +40,12 @@ Q_SIGNALS:
 
 protected:
     void changeEvent(QEvent* event) override;
-    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     void showSort(FeatureModel::Sort sort);
     void count();
     void showColumns();
     void fitColumns();
-    void shareRoom();
     void retranslate();
     std::optional<MapHit> hitOf(const QModelIndex& index) const;
 
@@ -62,8 +59,6 @@ private:
     double m_level = 0.0;
     bool m_building = false; ///< is open
     bool m_quiet = false;
-    std::vector<int> m_whole, m_contents; ///< widths that the shown columns would have: with their headings
-    bool m_gripped = false, m_ownWidths = false; ///< the header, by the pointer; the widths are the user's
 };
 
 } // namespace farol::ui

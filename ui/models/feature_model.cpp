@@ -227,9 +227,7 @@ QVariant FeatureModel::data(const QModelIndex& index, int role) const {
 }
 
 QVariant FeatureModel::headerData(int section, Qt::Orientation orientation, int role) const {
-    const bool known =
-        role == Qt::DisplayRole || role == Qt::ToolTipRole; // it may be cut short on the screen
-    if (orientation != Qt::Horizontal || !known) return {};
+    if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
     return section >= 0 && section < m_headings.size() ? QVariant(m_headings[section]) : QVariant();
 }
 

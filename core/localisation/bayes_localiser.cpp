@@ -37,7 +37,7 @@ public:
 
     void start(double time, const std::optional<RegionId>& region) override;
     void setRoute(const RouteContext& route) override;
-    void told(const ToldWay& way) override { m_cloud.told(way); }
+    void told(const std::optional<ToldWay>& way) override { m_cloud.told(way); }
     Fix update(double time, std::span<const Observation> fresh,
                const std::deque<Observation>& history) override;
     void moved(double time, const recognition::Motion& motion) override {

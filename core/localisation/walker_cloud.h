@@ -59,7 +59,7 @@ public:
     Walker born(const BirthPose& pose, float weight);
     /// Every walker thinks anew about the way: a goal was set or taken away.
     void reconsider();
-    void told(const ToldWay& way) { m_told = way; }
+    void told(const std::optional<ToldWay>& way) { m_told = way; }
     /// How well the motion fits, in the mean: what it did to the weights beside the things not seen.
     double advance(const MotionSpan& motion, const SensorModel& sensors, double missTrust);
     /// What was seen off the place expected corrects where the walker's camera looks.

@@ -192,15 +192,14 @@ void Navigator::heard(std::uint64_t cue) {
 /// An order that is not heard for long means that nobody hears anything: it is not known any more what the
 /// user does.
 void Navigator::forgetUnheard(double time) {
-    if (m_heardWay && m_heardWay->passages.empty()) return;
+    if (!m_heardWay) return;
     auto missed = std::find_if(m_unheard.begin(), m_unheard.end(), [&](const Unheard& unheard) {
-        bool inEar =
-            m_heardWay && unheard.time - m_heardAt < kStillInEarSeconds && sameWay(unheard.way, *m_heardWay);
+        bool inEar = unheard.time - m_heardAt < kStillInEarSeconds && sameWay(unheard.way, *m_heardWay);
         return unheard.cue > m_lastHeard && !inEar;
     });
     if (missed == m_unheard.end() || time - missed->time < kForgottenSeconds) return;
-    m_heardWay.emplace();
-    m_localiser->told(*m_heardWay);
+    m_heardWay.reset();
+    m_localiser->told(std::nullopt);
     m_lastHeard = m_unheard.back().cue;
 }
 

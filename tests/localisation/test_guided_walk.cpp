@@ -70,7 +70,7 @@ public:
         return *this;
     }
     Blind& told(building::AccessKind kind, double targetLevel = 0.0, bool intoLift = false) {
-        m_localiser->told({{{kind, 0.0, targetLevel, intoLift}}});
+        m_localiser->told(ToldWay{{{kind, 0.0, targetLevel, intoLift}}});
         return *this;
     }
     Blind& goal(const std::string& region) {

@@ -792,7 +792,7 @@
     </message>
     <message>
         <source>Click a point of the image that you know on the map, a corner of the house, say. Escape leaves the image where it is.</source>
-        <translation>Cliquez sur un point de l&apos;image que vous connaissez sur la carte, un coin de la maison par exemple. Échap laisse l&apos;image où elle est.</translation>
+        <translation>Cliquez sur un point de l&apos;image connu sur la carte, par exemple un coin de mur. Échap laisse l&apos;image où elle est.</translation>
     </message>
     <message>
         <source>Click a second point of the image, far from the first.</source>

@@ -1,6 +1,6 @@
 # Translations. A build only ever reads translations/*.ts (lrelease); `cmake --build --preset release --target
-# update_translations` is the one thing that writes them (lupdate over ui/ and app/), so that no build can overwrite a
-# translator's work.
+# update_translations` is the one thing that writes them (lupdate over ui/, app/ and the table of what core says), so that
+# no build can overwrite a translator's work.
 include_guard()
 
 set(FAROL_LANGUAGES en pt es fr de)
@@ -30,11 +30,13 @@ endfunction()
 set(FAROL_FULL_LANGUAGES ${FAROL_LANGUAGES})
 list(REMOVE_ITEM FAROL_FULL_LANGUAGES en)
 list(TRANSFORM FAROL_FULL_LANGUAGES REPLACE "(.+)" "translations/farol_\\1.ts" OUTPUT_VARIABLE FAROL_FULL_TS)
+# Core knows no Qt, so its sentences stand within names of its own. check_collected.py collects in the same way.
+set(FAROL_COLLECT -silent -recursive -I ${PROJECT_SOURCE_DIR} -locations none -no-obsolete
+                  -tr-function-alias QT_TRANSLATE_NOOP+=SAID,QT_TRANSLATE_N_NOOP+=SAID_OF_MANY)
+set(FAROL_WITH_TEXTS ui app core/building/sentence_table.cpp)
 add_custom_target(update_translations
-  COMMAND Qt6::lupdate -silent -recursive -I ${PROJECT_SOURCE_DIR} -locations none -no-obsolete -pluralonly
-          ui app -ts translations/farol_en.ts
-  COMMAND Qt6::lupdate -silent -recursive -I ${PROJECT_SOURCE_DIR} -locations none -no-obsolete
-          ui app -ts ${FAROL_FULL_TS}
+  COMMAND Qt6::lupdate ${FAROL_COLLECT} -pluralonly ${FAROL_WITH_TEXTS} -ts translations/farol_en.ts
+  COMMAND Qt6::lupdate ${FAROL_COLLECT} ${FAROL_WITH_TEXTS} -ts ${FAROL_FULL_TS}
   WORKING_DIRECTORY ${PROJECT_SOURCE_DIR}
-  COMMENT "Collecting texts of ui/ and app/ into translations/farol_*.ts"
+  COMMENT "Collecting texts of ui/, app/ and core into translations/farol_*.ts"
   VERBATIM)

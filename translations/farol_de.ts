@@ -88,6 +88,578 @@
     </message>
 </context>
 <context>
+    <name>core</name>
+    <message numerus="yes">
+        <source>%n features have no id; give each its own</source>
+        <translation>
+            <numerusform>%n Objekt hat keine Kennung; geben Sie ihm eine eigene</numerusform>
+            <numerusform>%n Objekte haben keine Kennung; geben Sie jedem eine eigene</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n features share the id &quot;%1&quot;; give each its own</source>
+        <translation>
+            <numerusform>%n Objekt hat die Kennung „%1“; geben Sie jedem eine eigene</numerusform>
+            <numerusform>%n Objekte haben dieselbe Kennung „%1“; geben Sie jedem eine eigene</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the outline of region &quot;%1&quot; has fewer than three corners; draw it again</source>
+        <translation>der Umriss der Region „%1“ hat weniger als drei Ecken; zeichnen Sie ihn neu</translation>
+    </message>
+    <message>
+        <source>the outline of region &quot;%1&quot; has a coordinate that is no number; draw it again</source>
+        <translation>der Umriss der Region „%1“ hat eine Koordinate, die keine Zahl ist; zeichnen Sie ihn neu</translation>
+    </message>
+    <message>
+        <source>the outline of region &quot;%1&quot; has no area; draw it again</source>
+        <translation>der Umriss der Region „%1“ hat keine Fläche; zeichnen Sie ihn neu</translation>
+    </message>
+    <message>
+        <source>the outline of region &quot;%1&quot; crosses itself; draw it again</source>
+        <translation>der Umriss der Region „%1“ kreuzt sich selbst; zeichnen Sie ihn neu</translation>
+    </message>
+    <message>
+        <source>the outline of region &quot;%1&quot; has a hole that has fewer than three corners; draw it again</source>
+        <translation>der Umriss der Region „%1“ hat ein Loch mit weniger als drei Ecken; zeichnen Sie ihn neu</translation>
+    </message>
+    <message>
+        <source>the outline of region &quot;%1&quot; has a hole that has a coordinate that is no number; draw it again</source>
+        <translation>der Umriss der Region „%1“ hat ein Loch mit einer Koordinate, die keine Zahl ist; zeichnen Sie ihn neu</translation>
+    </message>
+    <message>
+        <source>the outline of region &quot;%1&quot; has a hole that has no area; draw it again</source>
+        <translation>der Umriss der Region „%1“ hat ein Loch ohne Fläche; zeichnen Sie ihn neu</translation>
+    </message>
+    <message>
+        <source>the outline of region &quot;%1&quot; has a hole that crosses itself; draw it again</source>
+        <translation>der Umriss der Region „%1“ hat ein Loch, das sich selbst kreuzt; zeichnen Sie ihn neu</translation>
+    </message>
+    <message>
+        <source>the outline of region &quot;%1&quot; has a hole that lies outside it; draw it again</source>
+        <translation>der Umriss der Region „%1“ hat ein Loch, das außerhalb liegt; zeichnen Sie ihn neu</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n regions have neither name nor ref: only its kind is spoken</source>
+        <translation>
+            <numerusform>%n Region hat weder Namen noch Nummer: nur ihre Art wird gesprochen</numerusform>
+            <numerusform>%n Regionen haben weder Namen noch Nummer: nur ihre Art wird gesprochen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n regions are called &quot;%1&quot; or the like, which is never spoken; give it the name that people use</source>
+        <translation>
+            <numerusform>%n Region heißt „%1“, was nie gesprochen wird; geben Sie ihr den Namen, den die Leute benutzen</numerusform>
+            <numerusform>%n Regionen heißen „%1“ oder ähnlich, was nie gesprochen wird; geben Sie ihnen den Namen, den die Leute benutzen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>level %1 is used by %n regions but is not in the layer levels: its name cannot be spoken; add it</source>
+        <translation>
+            <numerusform>die Ebene %1 wird von %n Region benutzt, fehlt aber in der Liste der Ebenen (levels): ihr Name kann nicht gesprochen werden; fügen Sie sie hinzu</numerusform>
+            <numerusform>die Ebene %1 wird von %n Regionen benutzt, fehlt aber in der Liste der Ebenen (levels): ihr Name kann nicht gesprochen werden; fügen Sie sie hinzu</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>access &quot;%1&quot; names the region &quot;%2&quot;, which does not exist; correct it</source>
+        <translation>der Durchgang „%1“ nennt die Region „%2“, die es nicht gibt; berichtigen Sie sie</translation>
+    </message>
+    <message>
+        <source>access &quot;%1&quot; lies more than 1 m from region &quot;%2&quot;; move it to the border</source>
+        <translation>der Durchgang „%1“ liegt mehr als 1&#xa0;m von der Region „%2“ entfernt; schieben Sie ihn an die Grenze</translation>
+    </message>
+    <message>
+        <source>access &quot;%1&quot; has the same region on both sides: no route passes it; set region_a and region_b, or move it to a border</source>
+        <translation>der Durchgang „%1“ hat auf beiden Seiten dieselbe Region: kein Weg führt hindurch; geben Sie die Region auf jeder Seite an (region_a und region_b), oder schieben Sie ihn an eine Grenze</translation>
+    </message>
+    <message>
+        <source>access &quot;%1&quot; does not join two regions: no route passes it; set region_a and region_b, or move it to a border</source>
+        <translation>der Durchgang „%1“ verbindet nicht zwei Regionen: kein Weg führt hindurch; geben Sie die Region auf jeder Seite an (region_a und region_b), oder schieben Sie ihn an eine Grenze</translation>
+    </message>
+    <message>
+        <source>access &quot;%1&quot; is no stairs, lift, escalator or ramp but joins regions of levels %2 and %3; correct its kind or regions</source>
+        <translation>der Durchgang „%1“ ist weder Treppe noch Aufzug, Rolltreppe oder Rampe, verbindet aber Regionen der Ebenen %2 und %3; berichtigen Sie seine Art oder die Regionen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n accesses are drawn on more than two regions: see that region_a and region_b are the right ones</source>
+        <translation>
+            <numerusform>%n Durchgang liegt auf mehr als zwei Regionen: sehen Sie nach, ob die beiden Seiten (region_a und region_b) stimmen</numerusform>
+            <numerusform>%n Durchgänge liegen auf mehr als zwei Regionen: sehen Sie nach, ob die beiden Seiten (region_a und region_b) stimmen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n escalators have no direction and count as running both ways: set oneway</source>
+        <translation>
+            <numerusform>%n Rolltreppe hat keine Richtung und gilt als in beide Richtungen laufend: geben Sie sie an (oneway)</numerusform>
+            <numerusform>%n Rolltreppen haben keine Richtung und gelten als in beide Richtungen laufend: geben Sie sie an (oneway)</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>shaft &quot;%1&quot; passes level %2 without an access there; add it, unless it does not stop there</source>
+        <translation>die Treppe oder der Aufzug „%1“ führt an der Ebene %2 vorbei, ohne dass es dort einen Durchgang gibt; fügen Sie ihn hinzu, wenn dort gehalten wird</translation>
+    </message>
+    <message>
+        <source>landmark &quot;%1&quot; belongs to no region; set region_id</source>
+        <translation>die Landmarke „%1“ gehört zu keiner Region; geben Sie sie an (region_id)</translation>
+    </message>
+    <message>
+        <source>landmark &quot;%1&quot; names the region &quot;%2&quot;, which does not exist; correct it</source>
+        <translation>die Landmarke „%1“ nennt die Region „%2“, die es nicht gibt; berichtigen Sie sie</translation>
+    </message>
+    <message>
+        <source>landmark &quot;%1&quot; is on level %2, its region &quot;%3&quot; on level %4</source>
+        <translation>die Landmarke „%1“ ist auf Ebene %2, ihre Region „%3“ auf Ebene %4</translation>
+    </message>
+    <message>
+        <source>landmark &quot;%1&quot; lies more than 0.5 m outside its region &quot;%2&quot;; move it or correct region_id</source>
+        <translation>die Landmarke „%1“ liegt mehr als 0,5&#xa0;m außerhalb ihrer Region „%2“; verschieben Sie sie, oder berichtigen Sie die Region (region_id)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n features have the unknown kind &quot;%1&quot;; known are %2</source>
+        <translation>
+            <numerusform>%n Objekt hat die unbekannte Art „%1“; bekannt sind, in Klammern wie sie in der Karte stehen: %2</numerusform>
+            <numerusform>%n Objekte haben die unbekannte Art „%1“; bekannt sind, in Klammern wie sie in der Karte stehen: %2</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n features have the unknown kind &quot;%1&quot;; known are %2 (nobody is led through other)</source>
+        <translation>
+            <numerusform>%n Objekt hat die unbekannte Art „%1“; bekannt sind, in Klammern wie sie in der Karte stehen: %2 (durch „other“ wird niemand geführt)</numerusform>
+            <numerusform>%n Objekte haben die unbekannte Art „%1“; bekannt sind, in Klammern wie sie in der Karte stehen: %2 (durch „other“ wird niemand geführt)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>the building falls into %1 parts; %n regions cannot be reached from the largest (%2): accesses are missing or closed</source>
+        <translation>
+            <numerusform>das Gebäude zerfällt in %1 Teile; %n Region ist vom größten (%2) aus nicht zu erreichen: Durchgänge fehlen oder sind gesperrt</numerusform>
+            <numerusform>das Gebäude zerfällt in %1 Teile; %n Regionen sind vom größten (%2) aus nicht zu erreichen: Durchgänge fehlen oder sind gesperrt</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n regions</source>
+        <translation>
+            <numerusform>%n Region</numerusform>
+            <numerusform>%n Regionen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>region &quot;%1&quot; is a sliver, about %2 m wide: nobody stands there; join it to its neighbour</source>
+        <translation>die Region „%1“ ist ein Streifen, etwa %2&#xa0;m breit: niemand steht dort; vereinigen Sie sie mit ihrer Nachbarregion</translation>
+    </message>
+    <message>
+        <source>regions &quot;%1&quot; and &quot;%2&quot; have the same outline; remove one</source>
+        <translation>die Regionen „%1“ und „%2“ haben denselben Umriss; entfernen Sie eine</translation>
+    </message>
+    <message>
+        <source>regions &quot;%1&quot; and &quot;%2&quot;: the smaller lies inside the larger; cut it out of the larger one, unless it is a part of it</source>
+        <translation>Regionen „%1“ und „%2“: die kleinere liegt in der größeren; schneiden Sie sie aus der größeren, wenn sie kein Teil davon ist</translation>
+    </message>
+    <message>
+        <source>regions &quot;%1&quot; and &quot;%2&quot; overlap by %3 % of the smaller; draw the border between them</source>
+        <translation>die Regionen „%1“ und „%2“ überlappen sich auf %3&#xa0;% der kleineren; zeichnen Sie die Grenze zwischen ihnen</translation>
+    </message>
+    <message>
+        <source>so many regions overlap that not all pairs were compared; are all levels drawn on one?</source>
+        <translation>so viele Regionen überlappen sich, dass nicht alle Paare verglichen wurden; sind alle Ebenen auf einer gezeichnet?</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n regions of level %1 have the ref &quot;%2&quot;: people are led to the wrong one; correct it</source>
+        <translation>
+            <numerusform>%n Region der Ebene %1 hat die Nummer „%2“: man wird zur falschen geführt; berichtigen Sie sie</numerusform>
+            <numerusform>%n Regionen der Ebene %1 haben die Nummer „%2“: man wird zur falschen geführt; berichtigen Sie sie</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the whole building is smaller than 0.3 m: its coordinates are degrees, not metres; import or reproject it</source>
+        <translation>das ganze Gebäude ist kleiner als 0,3&#xa0;m: seine Koordinaten sind Grad, keine Meter; importieren oder projizieren Sie es</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n regions have no door or other access that joins another region: nobody can be led there; add it</source>
+        <translation>
+            <numerusform>%n Region hat keine Tür und keinen anderen Durchgang zu einer anderen Region: niemand kann dorthin geführt werden; fügen Sie ihn hinzu</numerusform>
+            <numerusform>%n Regionen haben keine Tür und keinen anderen Durchgang zu einer anderen Region: niemand kann dorthin geführt werden; fügen Sie ihn hinzu</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n regions have a door drawn on the border, but the door joins two others and nothing leads there: correct region_a or region_b, or draw another door</source>
+        <translation>
+            <numerusform>%n Region hat eine Tür an der Grenze, doch die verbindet zwei andere, und nichts führt dorthin: berichtigen Sie eine ihrer Seiten (region_a oder region_b), oder zeichnen Sie eine andere Tür</numerusform>
+            <numerusform>%n Regionen haben eine Tür an der Grenze, doch die verbindet zwei andere, und nichts führt dorthin: berichtigen Sie eine ihrer Seiten (region_a oder region_b), oder zeichnen Sie eine andere Tür</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>features had no id and were given one</source>
+        <translation>Objekte hatten keine Kennung und bekamen eine</translation>
+    </message>
+    <message>
+        <source>features shared an id and were given another</source>
+        <translation>Objekte hatten dieselbe Kennung und bekamen eine andere</translation>
+    </message>
+    <message>
+        <source>outlines have corners that are no places; these were left out</source>
+        <translation>Umrisse haben Ecken, die keine Orte sind; diese wurden weggelassen</translation>
+    </message>
+    <message>
+        <source>outlines have fewer than three corners; the regions were left out</source>
+        <translation>Umrisse haben weniger als drei Ecken; die Regionen wurden weggelassen</translation>
+    </message>
+    <message>
+        <source>outlines have more than 200,000 corners; the regions were left out</source>
+        <translation>Umrisse haben mehr als 200&#xa0;000 Ecken; die Regionen wurden weggelassen</translation>
+    </message>
+    <message>
+        <source>outlines enclose no area; the regions were left out</source>
+        <translation>Umrisse umschließen keine Fläche; die Regionen wurden weggelassen</translation>
+    </message>
+    <message>
+        <source>outlines crossed or touched themselves and were mended: compare them with the plan</source>
+        <translation>Umrisse kreuzten oder berührten sich selbst und wurden ausgebessert: vergleichen Sie sie mit dem Plan</translation>
+    </message>
+    <message>
+        <source>regions fell into several parts: each part is a region of its own</source>
+        <translation>Regionen zerfielen in mehrere Teile: jeder Teil ist eine eigene Region</translation>
+    </message>
+    <message>
+        <source>regions repeat the outline of another one on their level and were merged with it</source>
+        <translation>Regionen wiederholen den Umriss einer anderen auf ihrer Ebene und wurden mit ihr vereinigt</translation>
+    </message>
+    <message>
+        <source>accesses have points that are no places; these were left out</source>
+        <translation>Durchgänge haben Punkte, die keine Orte sind; diese wurden weggelassen</translation>
+    </message>
+    <message>
+        <source>accesses have no place on the map and were left out</source>
+        <translation>Durchgänge haben keinen Ort auf der Karte und wurden weggelassen</translation>
+    </message>
+    <message>
+        <source>landmarks have no place on the map and were left out</source>
+        <translation>Landmarken haben keinen Ort auf der Karte und wurden weggelassen</translation>
+    </message>
+    <message>
+        <source>levels are no floors of a building; level 0 is assumed</source>
+        <translation>Ebenen sind keine Stockwerke eines Gebäudes; Ebene 0 wird angenommen</translation>
+    </message>
+    <message>
+        <source>levels stand twice in the source; the first name is kept</source>
+        <translation>Ebenen stehen zweimal in der Quelle; der erste Name bleibt</translation>
+    </message>
+    <message>
+        <source>regions had no name and were given one from kind and number, such as &quot;Corridor 3&quot;: rename them</source>
+        <translation>Regionen hatten keinen Namen und bekamen einen aus Art und Nummer, wie „Corridor 3“: benennen Sie sie um</translation>
+    </message>
+    <message>
+        <source>landmarks lie outside every region and were given to the nearest one</source>
+        <translation>Landmarken liegen außerhalb aller Regionen und wurden der nächsten zugeteilt</translation>
+    </message>
+    <message>
+        <source>openings were added where regions meet without a wall between them</source>
+        <translation>Öffnungen wurden eingesetzt, wo Regionen ohne Wand dazwischen aneinanderstoßen</translation>
+    </message>
+    <message>
+        <source>accesses are drawn on fewer than two regions</source>
+        <translation>Durchgänge liegen auf weniger als zwei Regionen</translation>
+    </message>
+    <message>
+        <source>accesses lie beside more than two regions; the two with the widest border were taken: see that they are right</source>
+        <translation>Durchgänge liegen neben mehr als zwei Regionen; die beiden mit der breitesten Grenze wurden genommen: sehen Sie nach, ob sie stimmen</translation>
+    </message>
+    <message>
+        <source>accesses run from one region to another and along no border: if one walks along the line, set region_a and region_b</source>
+        <translation>Durchgänge führen von einer Region zur anderen und an keiner Grenze entlang: wenn man an der Linie entlanggeht, geben Sie die Region auf jeder Seite an (region_a und region_b)</translation>
+    </message>
+    <message>
+        <source>stairs, lifts or escalators lead to a level that nothing names: set region_b, or give them and their other end the same shaft</source>
+        <translation>Treppen, Aufzüge oder Rolltreppen führen zu einer Ebene, die nirgends genannt ist: geben Sie die Region auf der anderen Seite an (region_b), oder geben Sie ihnen und ihrem anderen Ende denselben Schacht (shaft)</translation>
+    </message>
+    <message>
+        <source>upper ends of stairs, lifts or escalators were left out: their lower ends lead there already</source>
+        <translation>obere Enden von Treppen, Aufzügen oder Rolltreppen wurden weggelassen: ihre unteren Enden führen schon dorthin</translation>
+    </message>
+    <message>
+        <source>links between levels name regions that do not exist</source>
+        <translation>Verbindungen zwischen Ebenen nennen Regionen, die es nicht gibt</translation>
+    </message>
+    <message>
+        <source>stairs, lifts or escalators were joined with the ones above them, because their outlines overlap</source>
+        <translation>Treppen, Aufzüge oder Rolltreppen wurden mit denen darüber verbunden, weil ihre Umrisse sich überlappen</translation>
+    </message>
+    <message>
+        <source>the coordinate reference system of the source cannot be understood</source>
+        <translation>das Koordinatensystem der Quelle wird nicht verstanden</translation>
+    </message>
+    <message>
+        <source>the source names a CRS in metres, but its coordinates are degrees: they are taken as WGS 84</source>
+        <translation>die Quelle nennt ein Koordinatensystem in Metern, ihre Koordinaten sind aber Grad: sie werden als WGS 84 genommen</translation>
+    </message>
+    <message>
+        <source>the source names no CRS; its coordinates look like degrees and are taken as WGS 84</source>
+        <translation>die Quelle nennt kein Koordinatensystem; die Koordinaten sehen wie Grad aus und werden als WGS 84 genommen</translation>
+    </message>
+    <message>
+        <source>the source names a CRS in degrees, but its coordinates are not: they are taken as metres of a local plane</source>
+        <translation>die Quelle nennt ein Koordinatensystem in Grad, ihre Koordinaten sind aber keine: sie werden als Meter einer örtlichen Ebene genommen</translation>
+    </message>
+    <message>
+        <source>the source names no CRS: its coordinates are taken as metres of a local plane; name the CRS if there is one</source>
+        <translation>die Quelle nennt kein Koordinatensystem: die Koordinaten werden als Meter einer örtlichen Ebene genommen; nennen Sie das System, wenn es eines gibt</translation>
+    </message>
+    <message>
+        <source>north and east stand in each other&apos;s place in the source: they were exchanged; export it again to be sure</source>
+        <translation>Nord und Ost sind in der Quelle vertauscht: sie wurden zurückgetauscht; exportieren Sie sie zur Sicherheit noch einmal</translation>
+    </message>
+    <message>
+        <source>coordinates were brought from %1 to %2, in metres</source>
+        <translation>die Koordinaten wurden von %1 nach %2 umgerechnet, in Meter</translation>
+    </message>
+    <message>
+        <source>coordinates were brought from the source&apos;s CRS to %1, in metres</source>
+        <translation>die Koordinaten wurden aus dem System der Quelle nach %1 umgerechnet, in Meter</translation>
+    </message>
+    <message>
+        <source>layers hold no rooms, doors, walls or points by their name; a profile can say otherwise</source>
+        <translation>Layer enthalten dem Namen nach keine Räume, Türen, Wände oder Punkte; ein Profil kann es anders sagen</translation>
+    </message>
+    <message>
+        <source>features cannot be brought to the CRS of the other layers</source>
+        <translation>Objekte lassen sich nicht in das Koordinatensystem der anderen Layer bringen</translation>
+    </message>
+    <message>
+        <source>layers tell no level; the ground floor is assumed: name the field that holds the level</source>
+        <translation>Layer sagen keine Ebene; das Erdgeschoss wird angenommen: nennen Sie das Feld, das die Ebene enthält</translation>
+    </message>
+    <message>
+        <source>levels were counted from the heights of the shapes, the one nearest to 0 as the ground floor</source>
+        <translation>Ebenen wurden nach der Höhe der Formen gezählt, die 0 am nächsten als Erdgeschoss</translation>
+    </message>
+    <message>
+        <source>lines of layers that nothing names doors or walls are taken as walls; name the layer or give a profile</source>
+        <translation>Linien von Layern, die nichts als Türen oder Wände bezeichnet, werden als Wände genommen; benennen Sie den Layer, oder geben Sie ein Profil an</translation>
+    </message>
+    <message>
+        <source>features have no geometry and were left out</source>
+        <translation>Objekte haben keine Form und wurden weggelassen</translation>
+    </message>
+    <message>
+        <source>features have the code &quot;%1&quot;, which nobody knows: name it under codes in a profile</source>
+        <translation>Objekte haben den Code „%1“, den niemand kennt: nennen Sie ihn in einem Profil unter „codes“</translation>
+    </message>
+    <message>
+        <source>accesses have a direction that nobody knows and are taken to be passed both ways: a_to_b, b_to_a, up or down is wanted</source>
+        <translation>Durchgänge haben eine Richtung, die niemand kennt, und gelten als in beide Richtungen offen: verlangt ist a_to_b, b_to_a, up oder down</translation>
+    </message>
+    <message>
+        <source>points name a region that does not exist; the one they lie in is taken</source>
+        <translation>Punkte nennen eine Region, die es nicht gibt; genommen wird die, in der sie liegen</translation>
+    </message>
+    <message>
+        <source>layers have no features: %1</source>
+        <translation>Layer ohne Objekte: %1</translation>
+    </message>
+    <message>
+        <source>layers name no CRS; that of the other layers is taken</source>
+        <translation>Layer nennen kein Koordinatensystem; das der anderen Layer wird genommen</translation>
+    </message>
+    <message>
+        <source>features left out: their coordinates are missing or no places on Earth</source>
+        <translation>Objekte weggelassen: ihre Koordinaten fehlen oder sind keine Orte auf der Erde</translation>
+    </message>
+    <message>
+        <source>features left out: they have no usable shape</source>
+        <translation>Objekte weggelassen: sie haben keine brauchbare Form</translation>
+    </message>
+    <message>
+        <source>the value of level or repeat_on is no list of levels such as -1;0 or 1-3: correct it</source>
+        <translation>der Wert von level oder repeat_on ist keine Liste von Ebenen wie -1;0 oder 1-3: berichtigen Sie ihn</translation>
+    </message>
+    <message>
+        <source>there is no readable level; level 0 is assumed: add the level</source>
+        <translation>es gibt keine lesbare Ebene; Ebene 0 wird angenommen: fügen Sie die Ebene (level) hinzu</translation>
+    </message>
+    <message>
+        <source>the lift is a point in the source: a square of 1.6 m was drawn for its car</source>
+        <translation>der Aufzug ist in der Quelle ein Punkt: für seine Kabine wurde ein Quadrat von 1,6&#xa0;m gezeichnet</translation>
+    </message>
+    <message>
+        <source>left out: it has no level, and it stands over no or several levels&apos; regions</source>
+        <translation>weggelassen: es hat keine Ebene und steht über Regionen mehrerer oder keiner Ebene</translation>
+    </message>
+    <message>
+        <source>left out: no region of its level lies within 3 m</source>
+        <translation>weggelassen: keine Region seiner Ebene liegt näher als 3&#xa0;m</translation>
+    </message>
+    <message>
+        <source>left out: it has no level and stands on no outline of a region</source>
+        <translation>weggelassen: sie hat keine Ebene und steht auf keinem Umriss einer Region</translation>
+    </message>
+    <message>
+        <source>no door is drawn where a way leads into the room: an opening was put there</source>
+        <translation>wo ein Weg in den Raum führt, ist keine Tür gezeichnet: dort wurde eine Öffnung eingesetzt</translation>
+    </message>
+    <message>
+        <source>nothing tells which end of the steps is up; the first was taken as the lower: add incline</source>
+        <translation>nichts sagt, welches Ende der Stufen oben ist; das erste wurde als das untere genommen: fügen Sie incline hinzu</translation>
+    </message>
+    <message>
+        <source>no region lies at an end of the steps: draw the area or way it leads to</source>
+        <translation>an einem Ende der Stufen liegt keine Region: zeichnen Sie die Fläche oder den Weg, zu dem sie führen</translation>
+    </message>
+    <message>
+        <source>steps left out: their line has no length</source>
+        <translation>Stufen weggelassen: ihre Linie hat keine Länge</translation>
+    </message>
+    <message>
+        <source>nothing tells which way the walkway runs; it is taken to run both ways: set conveying to forward or backward</source>
+        <translation>nichts sagt, in welche Richtung der Rollsteig läuft; angenommen werden beide: setzen Sie conveying auf forward oder backward</translation>
+    </message>
+    <message>
+        <source>no region lies at an end of the walkway: draw the area or way it leads to</source>
+        <translation>an einem Ende des Rollsteigs liegt keine Region: zeichnen Sie die Fläche oder den Weg, zu dem er führt</translation>
+    </message>
+    <message>
+        <source>the lift has no drawn door; one was put on a side that is open: move it to its place</source>
+        <translation>der Aufzug hat keine gezeichnete Tür; eine wurde an eine offene Seite gesetzt: schieben Sie sie an ihren Ort</translation>
+    </message>
+    <message>
+        <source>features of the type %1 have no place in a building file</source>
+        <translation>Objekte der Art %1 haben in einer Gebäudedatei keinen Platz</translation>
+    </message>
+    <message>
+        <source>levels have no ordinal; they are taken as the ground floor</source>
+        <translation>Ebenen haben keine Ordnungszahl; sie gelten als Erdgeschoss</translation>
+    </message>
+    <message>
+        <source>features name a level that does not exist; the ground floor is assumed</source>
+        <translation>Objekte nennen eine Ebene, die es nicht gibt; das Erdgeschoss wird angenommen</translation>
+    </message>
+    <message>
+        <source>units have a category that IMDF 1.0 does not list; they are taken as rooms</source>
+        <translation>Einheiten haben eine Kategorie, die IMDF 1.0 nicht aufführt; sie gelten als Räume</translation>
+    </message>
+    <message>
+        <source>units are walls, columns or voids: they became walls</source>
+        <translation>Einheiten sind Wände, Säulen oder Lufträume: sie wurden Wände</translation>
+    </message>
+    <message>
+        <source>units have no outline and were left out</source>
+        <translation>Einheiten haben keinen Umriss und wurden weggelassen</translation>
+    </message>
+    <message>
+        <source>occupants have no anchor in a unit and were left out</source>
+        <translation>Nutzer haben keinen Anker in einer Einheit und wurden weggelassen</translation>
+    </message>
+    <message>
+        <source>openings are emergency exits, for vehicles or out of service: nobody is led through them</source>
+        <translation>Öffnungen sind Notausgänge, für Fahrzeuge oder außer Betrieb: niemand wird hindurchgeführt</translation>
+    </message>
+    <message>
+        <source>openings have no line and were left out</source>
+        <translation>Öffnungen haben keine Linie und wurden weggelassen</translation>
+    </message>
+    <message>
+        <source>amenities have no point and were left out</source>
+        <translation>Einrichtungen haben keinen Punkt und wurden weggelassen</translation>
+    </message>
+    <message>
+        <source>amenities name no unit that tells their level and were left out</source>
+        <translation>Einrichtungen nennen keine Einheit, die ihre Ebene sagt, und wurden weggelassen</translation>
+    </message>
+    <message>
+        <source>relationships do not name two units and were left out</source>
+        <translation>Beziehungen nennen nicht zwei Einheiten und wurden weggelassen</translation>
+    </message>
+    <message>
+        <source>the name of the coordinate system is not known; a local plane in metres is assumed</source>
+        <translation>der Name des Koordinatensystems ist nicht bekannt; eine örtliche Ebene in Metern wird angenommen</translation>
+    </message>
+    <message>
+        <source>cells left out: they have no outline, no id, or the id of another</source>
+        <translation>Zellen weggelassen: sie haben keinen Umriss, keine Kennung oder die einer anderen</translation>
+    </message>
+    <message>
+        <source>transitions left out: they do not connect two cells that are there</source>
+        <translation>Übergänge weggelassen: sie verbinden nicht zwei Zellen, die es gibt</translation>
+    </message>
+    <message>
+        <source>storeys are named by words; levels were taken from the heights</source>
+        <translation>Stockwerke sind mit Worten benannt; die Ebenen wurden den Höhen entnommen</translation>
+    </message>
+    <message>
+        <source>nothing tells the levels: all is taken as level 0; name the field that holds the level</source>
+        <translation>nichts sagt die Ebenen: alles gilt als Ebene 0; nennen Sie das Feld, das die Ebene enthält</translation>
+    </message>
+    <message>
+        <source>levels were counted from the heights of the floors</source>
+        <translation>Ebenen wurden nach der Höhe der Böden gezählt</translation>
+    </message>
+    <message>
+        <source>the door&apos;s cell does not lie between two rooms: it stays a region</source>
+        <translation>die Zelle der Tür liegt nicht zwischen zwei Räumen: sie bleibt eine Region</translation>
+    </message>
+    <message>
+        <source>features left out: they are no node, link, facility or entrance</source>
+        <translation>Objekte weggelassen: sie sind weder Knoten noch Verbindung, Einrichtung oder Eingang</translation>
+    </message>
+    <message>
+        <source>the network has no areas: each node became a region of strips along its links, cut half-way, and each facility a square of 2 m behind its entrance</source>
+        <translation>das Netz hat keine Flächen: jeder Knoten wurde eine Region aus Streifen entlang seiner Verbindungen, auf halbem Weg geschnitten, und jede Einrichtung ein Quadrat von 2&#xa0;m hinter ihrem Eingang</translation>
+    </message>
+    <message>
+        <source>floor 0 is taken as the ground floor; import it with the level from 1 when it is floor 1</source>
+        <translation>Stockwerk 0 gilt als Erdgeschoss; importieren Sie mit der Ebene ab 1, wenn es Stockwerk 1 ist</translation>
+    </message>
+    <message>
+        <source>floor 1 is taken as the ground floor; import it with the level from 0 when it is floor 0</source>
+        <translation>Stockwerk 1 gilt als Erdgeschoss; importieren Sie mit der Ebene ab 0, wenn es Stockwerk 0 ist</translation>
+    </message>
+    <message>
+        <source>nodes left out: they have no place, no id, or the id of another</source>
+        <translation>Knoten weggelassen: sie haben keinen Ort, keine Kennung oder die eines anderen</translation>
+    </message>
+    <message>
+        <source>nodes without a floor are taken to be on the ground</source>
+        <translation>Knoten ohne Stockwerk gelten als im Erdgeschoss</translation>
+    </message>
+    <message>
+        <source>links left out: they do not join two nodes that are there</source>
+        <translation>Verbindungen weggelassen: sie verbinden nicht zwei Knoten, die es gibt</translation>
+    </message>
+    <message>
+        <source>no link leads to the node</source>
+        <translation>keine Verbindung führt zu dem Knoten</translation>
+    </message>
+    <message>
+        <source>no entrance with a known node leads to the facility: it became a landmark</source>
+        <translation>kein Eingang mit bekanntem Knoten führt zu der Einrichtung: sie wurde eine Landmarke</translation>
+    </message>
+    <message>
+        <source>the facility of the entrance is missing</source>
+        <translation>die Einrichtung des Eingangs fehlt</translation>
+    </message>
+    <message>
+        <source>left out: it lies more than 20 m from every node of its floor</source>
+        <translation>weggelassen: es liegt mehr als 20&#xa0;m von jedem Knoten seines Stockwerks entfernt</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n spaces were closed from walls, doors and windows; they have no names, and whether they are rooms, corridors or halls is a guess from their doors and size</source>
+        <translation>
+            <numerusform>%n Raum wurde aus Wänden, Türen und Fenstern geschlossen; er hat keinen Namen, und ob er Zimmer, Flur oder Halle ist, ist nach Türen und Größe geraten</numerusform>
+            <numerusform>%n Räume wurden aus Wänden, Türen und Fenstern geschlossen; sie haben keine Namen, und ob sie Zimmer, Flure oder Hallen sind, ist nach Türen und Größe geraten</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>strips under 0.3 m between walls were left out</source>
+        <translation>Streifen unter 0,3&#xa0;m zwischen Wänden wurden weggelassen</translation>
+    </message>
+    <message>
+        <source>no space lies on one side of the door: it leads outside, or a wall is missing</source>
+        <translation>auf einer Seite der Tür liegt kein Raum: sie führt nach draußen, oder eine Wand fehlt</translation>
+    </message>
+    <message>
+        <source>%1, layer %2</source>
+        <translation>%1, Layer %2</translation>
+    </message>
+</context>
+<context>
     <name>farol::Options</name>
     <message>
         <source>%1 needs a number above 0, not “%2”</source>
@@ -739,10 +1311,6 @@
     <message>
         <source>What was found</source>
         <translation>Was gefunden wurde</translation>
-    </message>
-    <message>
-        <source>In English: %1</source>
-        <translation>Auf Englisch: %1</translation>
     </message>
     <message>
         <source>How many</source>

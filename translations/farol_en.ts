@@ -2,6 +2,114 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
+    <name>core</name>
+    <message numerus="yes">
+        <source>%n features have no id; give each its own</source>
+        <translation>
+            <numerusform>%n feature has no id; give each its own</numerusform>
+            <numerusform>%n features have no id; give each its own</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n features share the id &quot;%1&quot;; give each its own</source>
+        <translation>
+            <numerusform>%n features share the id &quot;%1&quot;; give each its own</numerusform>
+            <numerusform>%n features share the id &quot;%1&quot;; give each its own</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n regions have neither name nor ref: only its kind is spoken</source>
+        <translation>
+            <numerusform>%n region has neither name nor ref: only its kind is spoken</numerusform>
+            <numerusform>%n regions have neither name nor ref: only its kind is spoken</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n regions are called &quot;%1&quot; or the like, which is never spoken; give it the name that people use</source>
+        <translation>
+            <numerusform>%n region is called &quot;%1&quot;, which is never spoken; give it the name that people use</numerusform>
+            <numerusform>%n regions are called &quot;%1&quot; or the like, which is never spoken; give it the name that people use</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>level %1 is used by %n regions but is not in the layer levels: its name cannot be spoken; add it</source>
+        <translation>
+            <numerusform>level %1 is used by %n region but is not in the layer levels: its name cannot be spoken; add it</numerusform>
+            <numerusform>level %1 is used by %n regions but is not in the layer levels: its name cannot be spoken; add it</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n accesses are drawn on more than two regions: see that region_a and region_b are the right ones</source>
+        <translation>
+            <numerusform>%n access is drawn on more than two regions: see that region_a and region_b are the right ones</numerusform>
+            <numerusform>%n accesses are drawn on more than two regions: see that region_a and region_b are the right ones</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n escalators have no direction and count as running both ways: set oneway</source>
+        <translation>
+            <numerusform>%n escalator has no direction and count as running both ways: set oneway</numerusform>
+            <numerusform>%n escalators have no direction and count as running both ways: set oneway</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n features have the unknown kind &quot;%1&quot;; known are %2</source>
+        <translation>
+            <numerusform>%n feature has the unknown kind &quot;%1&quot;; known are %2</numerusform>
+            <numerusform>%n features have the unknown kind &quot;%1&quot;; known are %2</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n features have the unknown kind &quot;%1&quot;; known are %2 (nobody is led through other)</source>
+        <translation>
+            <numerusform>%n feature has the unknown kind &quot;%1&quot;; known are %2 (nobody is led through other)</numerusform>
+            <numerusform>%n features have the unknown kind &quot;%1&quot;; known are %2 (nobody is led through other)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>the building falls into %1 parts; %n regions cannot be reached from the largest (%2): accesses are missing or closed</source>
+        <translation>
+            <numerusform>the building falls into %1 parts; %n region cannot be reached from the largest (%2): accesses are missing or closed</numerusform>
+            <numerusform>the building falls into %1 parts; %n regions cannot be reached from the largest (%2): accesses are missing or closed</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n regions</source>
+        <translation>
+            <numerusform>%n region</numerusform>
+            <numerusform>%n regions</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n regions of level %1 have the ref &quot;%2&quot;: people are led to the wrong one; correct it</source>
+        <translation>
+            <numerusform>%n regions of level %1 have the ref &quot;%2&quot;: people are led to the wrong one; correct it</numerusform>
+            <numerusform>%n regions of level %1 have the ref &quot;%2&quot;: people are led to the wrong one; correct it</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n regions have no door or other access that joins another region: nobody can be led there; add it</source>
+        <translation>
+            <numerusform>%n region has no door or other access that joins another region: nobody can be led there; add it</numerusform>
+            <numerusform>%n regions have no door or other access that joins another region: nobody can be led there; add it</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n regions have a door drawn on the border, but the door joins two others and nothing leads there: correct region_a or region_b, or draw another door</source>
+        <translation>
+            <numerusform>%n region has a door drawn on the border, but the door joins two others and nothing leads there: correct region_a or region_b, or draw another door</numerusform>
+            <numerusform>%n regions have a door drawn on the border, but the door joins two others and nothing leads there: correct region_a or region_b, or draw another door</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n spaces were closed from walls, doors and windows; they have no names, and whether they are rooms, corridors or halls is a guess from their doors and size</source>
+        <translation>
+            <numerusform>%n spaces were closed from walls, doors and windows; they have no names, and whether they are rooms, corridors or halls is a guess from their doors and size</numerusform>
+            <numerusform>%n spaces were closed from walls, doors and windows; they have no names, and whether they are rooms, corridors or halls is a guess from their doors and size</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>farol::ui::ConfusionModel</name>
     <message numerus="yes">
         <source>%1 taken for %2: %n time(s)</source>

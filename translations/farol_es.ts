@@ -88,6 +88,578 @@
     </message>
 </context>
 <context>
+    <name>core</name>
+    <message numerus="yes">
+        <source>%n features have no id; give each its own</source>
+        <translation>
+            <numerusform>%n elemento no tiene identificador; dele uno propio</numerusform>
+            <numerusform>%n elementos no tienen identificador; dé a cada uno el suyo</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n features share the id &quot;%1&quot;; give each its own</source>
+        <translation>
+            <numerusform>%n elemento tiene el identificador “%1”; dé a cada uno el suyo</numerusform>
+            <numerusform>%n elementos tienen el mismo identificador “%1”; dé a cada uno el suyo</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the outline of region &quot;%1&quot; has fewer than three corners; draw it again</source>
+        <translation>el contorno de la región “%1” tiene menos de tres esquinas; dibújelo de nuevo</translation>
+    </message>
+    <message>
+        <source>the outline of region &quot;%1&quot; has a coordinate that is no number; draw it again</source>
+        <translation>el contorno de la región “%1” tiene una coordenada que no es un número; dibújelo de nuevo</translation>
+    </message>
+    <message>
+        <source>the outline of region &quot;%1&quot; has no area; draw it again</source>
+        <translation>el contorno de la región “%1” no tiene superficie; dibújelo de nuevo</translation>
+    </message>
+    <message>
+        <source>the outline of region &quot;%1&quot; crosses itself; draw it again</source>
+        <translation>el contorno de la región “%1” se cruza a sí mismo; dibújelo de nuevo</translation>
+    </message>
+    <message>
+        <source>the outline of region &quot;%1&quot; has a hole that has fewer than three corners; draw it again</source>
+        <translation>el contorno de la región “%1” tiene un hueco con menos de tres esquinas; dibújelo de nuevo</translation>
+    </message>
+    <message>
+        <source>the outline of region &quot;%1&quot; has a hole that has a coordinate that is no number; draw it again</source>
+        <translation>el contorno de la región “%1” tiene un hueco con una coordenada que no es un número; dibújelo de nuevo</translation>
+    </message>
+    <message>
+        <source>the outline of region &quot;%1&quot; has a hole that has no area; draw it again</source>
+        <translation>el contorno de la región “%1” tiene un hueco sin superficie; dibújelo de nuevo</translation>
+    </message>
+    <message>
+        <source>the outline of region &quot;%1&quot; has a hole that crosses itself; draw it again</source>
+        <translation>el contorno de la región “%1” tiene un hueco que se cruza a sí mismo; dibújelo de nuevo</translation>
+    </message>
+    <message>
+        <source>the outline of region &quot;%1&quot; has a hole that lies outside it; draw it again</source>
+        <translation>el contorno de la región “%1” tiene un hueco que queda fuera de él; dibújelo de nuevo</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n regions have neither name nor ref: only its kind is spoken</source>
+        <translation>
+            <numerusform>%n región no tiene nombre ni número: solo se dice su tipo</numerusform>
+            <numerusform>%n regiones no tienen nombre ni número: solo se dice su tipo</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n regions are called &quot;%1&quot; or the like, which is never spoken; give it the name that people use</source>
+        <translation>
+            <numerusform>%n región se llama “%1”, lo que nunca se dice; dele el nombre que usa la gente</numerusform>
+            <numerusform>%n regiones se llaman “%1” o algo parecido, lo que nunca se dice; deles el nombre que usa la gente</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>level %1 is used by %n regions but is not in the layer levels: its name cannot be spoken; add it</source>
+        <translation>
+            <numerusform>la planta %1 la usa %n región, pero no está en la lista de plantas (levels): su nombre no se puede decir; añádala</numerusform>
+            <numerusform>la planta %1 la usan %n regiones, pero no está en la lista de plantas (levels): su nombre no se puede decir; añádala</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>access &quot;%1&quot; names the region &quot;%2&quot;, which does not exist; correct it</source>
+        <translation>el paso “%1” nombra la región “%2”, que no existe; corríjala</translation>
+    </message>
+    <message>
+        <source>access &quot;%1&quot; lies more than 1 m from region &quot;%2&quot;; move it to the border</source>
+        <translation>el paso “%1” está a más de 1&#xa0;m de la región “%2”; muévalo al límite</translation>
+    </message>
+    <message>
+        <source>access &quot;%1&quot; has the same region on both sides: no route passes it; set region_a and region_b, or move it to a border</source>
+        <translation>el paso “%1” tiene la misma región a ambos lados: ninguna ruta pasa por él; indique la región de cada lado (region_a y region_b) o muévalo a un límite</translation>
+    </message>
+    <message>
+        <source>access &quot;%1&quot; does not join two regions: no route passes it; set region_a and region_b, or move it to a border</source>
+        <translation>el paso “%1” no une dos regiones: ninguna ruta pasa por él; indique la región de cada lado (region_a y region_b) o muévalo a un límite</translation>
+    </message>
+    <message>
+        <source>access &quot;%1&quot; is no stairs, lift, escalator or ramp but joins regions of levels %2 and %3; correct its kind or regions</source>
+        <translation>el paso “%1” no es escalera, ascensor, escalera mecánica ni rampa, pero une regiones de las plantas %2 y %3; corrija su tipo o sus regiones</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n accesses are drawn on more than two regions: see that region_a and region_b are the right ones</source>
+        <translation>
+            <numerusform>%n paso está dibujado sobre más de dos regiones: compruebe que los dos lados (region_a y region_b) son los correctos</numerusform>
+            <numerusform>%n pasos están dibujados sobre más de dos regiones: compruebe que los dos lados (region_a y region_b) son los correctos</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n escalators have no direction and count as running both ways: set oneway</source>
+        <translation>
+            <numerusform>%n escalera mecánica no tiene sentido y cuenta como si funcionara en ambos: indíquelo (oneway)</numerusform>
+            <numerusform>%n escaleras mecánicas no tienen sentido y cuentan como si funcionaran en ambos: indíquelo (oneway)</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>shaft &quot;%1&quot; passes level %2 without an access there; add it, unless it does not stop there</source>
+        <translation>la escalera o el ascensor “%1” pasa por la planta %2 sin ningún paso allí; añádalo, salvo que no pare en ella</translation>
+    </message>
+    <message>
+        <source>landmark &quot;%1&quot; belongs to no region; set region_id</source>
+        <translation>el punto de referencia “%1” no pertenece a ninguna región; indíquela (region_id)</translation>
+    </message>
+    <message>
+        <source>landmark &quot;%1&quot; names the region &quot;%2&quot;, which does not exist; correct it</source>
+        <translation>el punto de referencia “%1” nombra la región “%2”, que no existe; corríjala</translation>
+    </message>
+    <message>
+        <source>landmark &quot;%1&quot; is on level %2, its region &quot;%3&quot; on level %4</source>
+        <translation>el punto de referencia “%1” está en la planta %2, y su región “%3” en la planta %4</translation>
+    </message>
+    <message>
+        <source>landmark &quot;%1&quot; lies more than 0.5 m outside its region &quot;%2&quot;; move it or correct region_id</source>
+        <translation>el punto de referencia “%1” está más de 0,5&#xa0;m fuera de su región “%2”; muévalo o corrija la región (region_id)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n features have the unknown kind &quot;%1&quot;; known are %2</source>
+        <translation>
+            <numerusform>%n elemento tiene el tipo desconocido “%1”; se conocen, y entre paréntesis como se escriben en el mapa: %2</numerusform>
+            <numerusform>%n elementos tienen el tipo desconocido “%1”; se conocen, y entre paréntesis como se escriben en el mapa: %2</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n features have the unknown kind &quot;%1&quot;; known are %2 (nobody is led through other)</source>
+        <translation>
+            <numerusform>%n elemento tiene el tipo desconocido “%1”; se conocen, y entre paréntesis como se escriben en el mapa: %2 (por “other” no se guía a nadie)</numerusform>
+            <numerusform>%n elementos tienen el tipo desconocido “%1”; se conocen, y entre paréntesis como se escriben en el mapa: %2 (por “other” no se guía a nadie)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>the building falls into %1 parts; %n regions cannot be reached from the largest (%2): accesses are missing or closed</source>
+        <translation>
+            <numerusform>el edificio se divide en %1 partes; a %n región no se llega desde la mayor (%2): faltan pasos o están cerrados</numerusform>
+            <numerusform>el edificio se divide en %1 partes; a %n regiones no se llega desde la mayor (%2): faltan pasos o están cerrados</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n regions</source>
+        <translation>
+            <numerusform>%n región</numerusform>
+            <numerusform>%n regiones</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>region &quot;%1&quot; is a sliver, about %2 m wide: nobody stands there; join it to its neighbour</source>
+        <translation>la región “%1” es una franja de unos %2&#xa0;m de ancho: nadie cabe allí; únala a su vecina</translation>
+    </message>
+    <message>
+        <source>regions &quot;%1&quot; and &quot;%2&quot; have the same outline; remove one</source>
+        <translation>las regiones “%1” y “%2” tienen el mismo contorno; quite una</translation>
+    </message>
+    <message>
+        <source>regions &quot;%1&quot; and &quot;%2&quot;: the smaller lies inside the larger; cut it out of the larger one, unless it is a part of it</source>
+        <translation>regiones “%1” y “%2”: la menor está dentro de la mayor; recórtela de la mayor, salvo que sea parte de ella</translation>
+    </message>
+    <message>
+        <source>regions &quot;%1&quot; and &quot;%2&quot; overlap by %3 % of the smaller; draw the border between them</source>
+        <translation>las regiones “%1” y “%2” se solapan en un %3&#xa0;% de la menor; dibuje el límite entre ellas</translation>
+    </message>
+    <message>
+        <source>so many regions overlap that not all pairs were compared; are all levels drawn on one?</source>
+        <translation>se solapan tantas regiones que no se han comparado todos los pares; ¿están todas las plantas dibujadas en una?</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n regions of level %1 have the ref &quot;%2&quot;: people are led to the wrong one; correct it</source>
+        <translation>
+            <numerusform>%n región de la planta %1 tiene el número “%2”: se lleva a la gente a la que no es; corríjalo</numerusform>
+            <numerusform>%n regiones de la planta %1 tienen el número “%2”: se lleva a la gente a la que no es; corríjalo</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the whole building is smaller than 0.3 m: its coordinates are degrees, not metres; import or reproject it</source>
+        <translation>todo el edificio mide menos de 0,3&#xa0;m: sus coordenadas son grados, no metros; impórtelo o reproyéctelo</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n regions have no door or other access that joins another region: nobody can be led there; add it</source>
+        <translation>
+            <numerusform>%n región no tiene puerta ni otro paso a otra región: no se puede llevar a nadie allí; añádalo</numerusform>
+            <numerusform>%n regiones no tienen puerta ni otro paso a otra región: no se puede llevar a nadie allí; añádalo</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n regions have a door drawn on the border, but the door joins two others and nothing leads there: correct region_a or region_b, or draw another door</source>
+        <translation>
+            <numerusform>%n región tiene una puerta dibujada en el límite, pero une otras dos y nada lleva allí: corrija uno de sus lados (region_a o region_b) o dibuje otra puerta</numerusform>
+            <numerusform>%n regiones tienen una puerta dibujada en el límite, pero une otras dos y nada lleva allí: corrija uno de sus lados (region_a o region_b) o dibuje otra puerta</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>features had no id and were given one</source>
+        <translation>había elementos sin identificador, que recibieron uno</translation>
+    </message>
+    <message>
+        <source>features shared an id and were given another</source>
+        <translation>había elementos con el mismo identificador, que recibieron otro</translation>
+    </message>
+    <message>
+        <source>outlines have corners that are no places; these were left out</source>
+        <translation>hay contornos con esquinas que no son lugares; se dejaron fuera</translation>
+    </message>
+    <message>
+        <source>outlines have fewer than three corners; the regions were left out</source>
+        <translation>hay contornos con menos de tres esquinas; esas regiones se dejaron fuera</translation>
+    </message>
+    <message>
+        <source>outlines have more than 200,000 corners; the regions were left out</source>
+        <translation>hay contornos con más de 200&#xa0;000 esquinas; esas regiones se dejaron fuera</translation>
+    </message>
+    <message>
+        <source>outlines enclose no area; the regions were left out</source>
+        <translation>hay contornos que no encierran ninguna superficie; esas regiones se dejaron fuera</translation>
+    </message>
+    <message>
+        <source>outlines crossed or touched themselves and were mended: compare them with the plan</source>
+        <translation>había contornos que se cruzaban o tocaban a sí mismos y se corrigieron: compárelos con el plano</translation>
+    </message>
+    <message>
+        <source>regions fell into several parts: each part is a region of its own</source>
+        <translation>había regiones en varias partes: cada parte es ahora una región propia</translation>
+    </message>
+    <message>
+        <source>regions repeat the outline of another one on their level and were merged with it</source>
+        <translation>hay regiones que repiten el contorno de otra de su planta y se unieron a ella</translation>
+    </message>
+    <message>
+        <source>accesses have points that are no places; these were left out</source>
+        <translation>hay pasos con puntos que no son lugares; se dejaron fuera</translation>
+    </message>
+    <message>
+        <source>accesses have no place on the map and were left out</source>
+        <translation>hay pasos sin lugar en el mapa, que se dejaron fuera</translation>
+    </message>
+    <message>
+        <source>landmarks have no place on the map and were left out</source>
+        <translation>hay puntos de referencia sin lugar en el mapa, que se dejaron fuera</translation>
+    </message>
+    <message>
+        <source>levels are no floors of a building; level 0 is assumed</source>
+        <translation>hay plantas que no son plantas de un edificio; se supone la planta 0</translation>
+    </message>
+    <message>
+        <source>levels stand twice in the source; the first name is kept</source>
+        <translation>hay plantas que aparecen dos veces en el original; queda el primer nombre</translation>
+    </message>
+    <message>
+        <source>regions had no name and were given one from kind and number, such as &quot;Corridor 3&quot;: rename them</source>
+        <translation>había regiones sin nombre, que recibieron uno hecho del tipo y un número, como “Corridor 3”: cámbieles el nombre</translation>
+    </message>
+    <message>
+        <source>landmarks lie outside every region and were given to the nearest one</source>
+        <translation>hay puntos de referencia fuera de toda región, que se asignaron a la más cercana</translation>
+    </message>
+    <message>
+        <source>openings were added where regions meet without a wall between them</source>
+        <translation>se añadieron aberturas donde hay regiones que se tocan sin pared entre ellas</translation>
+    </message>
+    <message>
+        <source>accesses are drawn on fewer than two regions</source>
+        <translation>hay pasos dibujados sobre menos de dos regiones</translation>
+    </message>
+    <message>
+        <source>accesses lie beside more than two regions; the two with the widest border were taken: see that they are right</source>
+        <translation>hay pasos junto a más de dos regiones; se tomaron las dos con el límite más ancho: compruebe que son las correctas</translation>
+    </message>
+    <message>
+        <source>accesses run from one region to another and along no border: if one walks along the line, set region_a and region_b</source>
+        <translation>hay pasos que van de una región a otra y no siguen ningún límite: si se camina a lo largo de la línea, indique la región de cada lado (region_a y region_b)</translation>
+    </message>
+    <message>
+        <source>stairs, lifts or escalators lead to a level that nothing names: set region_b, or give them and their other end the same shaft</source>
+        <translation>hay escaleras, ascensores o escaleras mecánicas que llevan a una planta que nada nombra: indique la región del otro lado (region_b), o deles el mismo hueco (shaft) que a su otro extremo</translation>
+    </message>
+    <message>
+        <source>upper ends of stairs, lifts or escalators were left out: their lower ends lead there already</source>
+        <translation>se dejaron fuera extremos superiores de escaleras, ascensores o escaleras mecánicas: los inferiores ya llevan allí</translation>
+    </message>
+    <message>
+        <source>links between levels name regions that do not exist</source>
+        <translation>hay enlaces entre plantas que nombran regiones que no existen</translation>
+    </message>
+    <message>
+        <source>stairs, lifts or escalators were joined with the ones above them, because their outlines overlap</source>
+        <translation>se unieron escaleras, ascensores o escaleras mecánicas con los que tienen encima, porque sus contornos se solapan</translation>
+    </message>
+    <message>
+        <source>the coordinate reference system of the source cannot be understood</source>
+        <translation>no se entiende el sistema de coordenadas del original</translation>
+    </message>
+    <message>
+        <source>the source names a CRS in metres, but its coordinates are degrees: they are taken as WGS 84</source>
+        <translation>el original nombra un sistema de coordenadas en metros, pero sus coordenadas son grados: se toman como WGS 84</translation>
+    </message>
+    <message>
+        <source>the source names no CRS; its coordinates look like degrees and are taken as WGS 84</source>
+        <translation>el original no nombra el sistema de coordenadas; parecen grados y se toman como WGS 84</translation>
+    </message>
+    <message>
+        <source>the source names a CRS in degrees, but its coordinates are not: they are taken as metres of a local plane</source>
+        <translation>el original nombra un sistema de coordenadas en grados, pero sus coordenadas no lo son: se toman como metros de un plano local</translation>
+    </message>
+    <message>
+        <source>the source names no CRS: its coordinates are taken as metres of a local plane; name the CRS if there is one</source>
+        <translation>el original no nombra el sistema de coordenadas: se toman como metros de un plano local; nombre el sistema, si lo hay</translation>
+    </message>
+    <message>
+        <source>north and east stand in each other&apos;s place in the source: they were exchanged; export it again to be sure</source>
+        <translation>norte y este están intercambiados en el original: se pusieron en su sitio; expórtelo otra vez para estar seguro</translation>
+    </message>
+    <message>
+        <source>coordinates were brought from %1 to %2, in metres</source>
+        <translation>las coordenadas se pasaron de %1 a %2, en metros</translation>
+    </message>
+    <message>
+        <source>coordinates were brought from the source&apos;s CRS to %1, in metres</source>
+        <translation>las coordenadas se pasaron del sistema del original a %1, en metros</translation>
+    </message>
+    <message>
+        <source>layers hold no rooms, doors, walls or points by their name; a profile can say otherwise</source>
+        <translation>hay capas que, por su nombre, no tienen salas, puertas, paredes ni puntos; un perfil puede decir otra cosa</translation>
+    </message>
+    <message>
+        <source>features cannot be brought to the CRS of the other layers</source>
+        <translation>hay elementos que no se pueden pasar al sistema de coordenadas de las otras capas</translation>
+    </message>
+    <message>
+        <source>layers tell no level; the ground floor is assumed: name the field that holds the level</source>
+        <translation>hay capas que no dicen la planta; se supone la planta baja: nombre el campo que tiene la planta</translation>
+    </message>
+    <message>
+        <source>levels were counted from the heights of the shapes, the one nearest to 0 as the ground floor</source>
+        <translation>las plantas se contaron por la altura de las formas, la más cercana a 0 como planta baja</translation>
+    </message>
+    <message>
+        <source>lines of layers that nothing names doors or walls are taken as walls; name the layer or give a profile</source>
+        <translation>las líneas de capas que nada nombra como puertas o paredes se toman como paredes; dé nombre a la capa o indique un perfil</translation>
+    </message>
+    <message>
+        <source>features have no geometry and were left out</source>
+        <translation>hay elementos sin forma, que se dejaron fuera</translation>
+    </message>
+    <message>
+        <source>features have the code &quot;%1&quot;, which nobody knows: name it under codes in a profile</source>
+        <translation>hay elementos con el código “%1”, que nadie conoce: nómbrelo en un perfil, en “codes”</translation>
+    </message>
+    <message>
+        <source>accesses have a direction that nobody knows and are taken to be passed both ways: a_to_b, b_to_a, up or down is wanted</source>
+        <translation>hay pasos con un sentido que nadie conoce, que se toman como de doble sentido: se quiere a_to_b, b_to_a, up o down</translation>
+    </message>
+    <message>
+        <source>points name a region that does not exist; the one they lie in is taken</source>
+        <translation>hay puntos que nombran una región que no existe; se toma aquella en que están</translation>
+    </message>
+    <message>
+        <source>layers have no features: %1</source>
+        <translation>hay capas sin elementos: %1</translation>
+    </message>
+    <message>
+        <source>layers name no CRS; that of the other layers is taken</source>
+        <translation>hay capas que no nombran el sistema de coordenadas; se toma el de las otras capas</translation>
+    </message>
+    <message>
+        <source>features left out: their coordinates are missing or no places on Earth</source>
+        <translation>elementos dejados fuera: sus coordenadas faltan o no son lugares de la Tierra</translation>
+    </message>
+    <message>
+        <source>features left out: they have no usable shape</source>
+        <translation>elementos dejados fuera: no tienen forma utilizable</translation>
+    </message>
+    <message>
+        <source>the value of level or repeat_on is no list of levels such as -1;0 or 1-3: correct it</source>
+        <translation>el valor de level o repeat_on no es una lista de plantas como -1;0 o 1-3: corríjalo</translation>
+    </message>
+    <message>
+        <source>there is no readable level; level 0 is assumed: add the level</source>
+        <translation>no hay ninguna planta legible; se supone la planta 0: indique la planta (level)</translation>
+    </message>
+    <message>
+        <source>the lift is a point in the source: a square of 1.6 m was drawn for its car</source>
+        <translation>el ascensor es un punto en el original: se dibujó un cuadrado de 1,6&#xa0;m para la cabina</translation>
+    </message>
+    <message>
+        <source>left out: it has no level, and it stands over no or several levels&apos; regions</source>
+        <translation>se dejó fuera: no tiene planta, y está sobre regiones de varias plantas o de ninguna</translation>
+    </message>
+    <message>
+        <source>left out: no region of its level lies within 3 m</source>
+        <translation>se dejó fuera: no hay ninguna región de su planta a menos de 3&#xa0;m</translation>
+    </message>
+    <message>
+        <source>left out: it has no level and stands on no outline of a region</source>
+        <translation>se dejó fuera: no tiene planta y no está sobre el contorno de ninguna región</translation>
+    </message>
+    <message>
+        <source>no door is drawn where a way leads into the room: an opening was put there</source>
+        <translation>no hay puerta dibujada donde un camino entra en la sala: se puso allí una abertura</translation>
+    </message>
+    <message>
+        <source>nothing tells which end of the steps is up; the first was taken as the lower: add incline</source>
+        <translation>nada dice qué extremo de los escalones está arriba; el primero se tomó como el de abajo: indique incline</translation>
+    </message>
+    <message>
+        <source>no region lies at an end of the steps: draw the area or way it leads to</source>
+        <translation>no hay ninguna región en un extremo de los escalones: dibuje el área o el camino al que llevan</translation>
+    </message>
+    <message>
+        <source>steps left out: their line has no length</source>
+        <translation>escalones dejados fuera: su línea no tiene longitud</translation>
+    </message>
+    <message>
+        <source>nothing tells which way the walkway runs; it is taken to run both ways: set conveying to forward or backward</source>
+        <translation>nada dice en qué sentido funciona el pasillo rodante; se supone que en ambos: indique forward o backward en conveying</translation>
+    </message>
+    <message>
+        <source>no region lies at an end of the walkway: draw the area or way it leads to</source>
+        <translation>no hay ninguna región en un extremo del pasillo rodante: dibuje el área o el camino al que lleva</translation>
+    </message>
+    <message>
+        <source>the lift has no drawn door; one was put on a side that is open: move it to its place</source>
+        <translation>el ascensor no tiene puerta dibujada; se puso una en un lado abierto: muévala a su sitio</translation>
+    </message>
+    <message>
+        <source>features of the type %1 have no place in a building file</source>
+        <translation>los elementos del tipo %1 no tienen lugar en un archivo de edificio</translation>
+    </message>
+    <message>
+        <source>levels have no ordinal; they are taken as the ground floor</source>
+        <translation>hay plantas sin ordinal, que se toman como planta baja</translation>
+    </message>
+    <message>
+        <source>features name a level that does not exist; the ground floor is assumed</source>
+        <translation>hay elementos que nombran una planta que no existe; se supone la planta baja</translation>
+    </message>
+    <message>
+        <source>units have a category that IMDF 1.0 does not list; they are taken as rooms</source>
+        <translation>hay unidades con una categoría que IMDF 1.0 no recoge, que se toman como salas</translation>
+    </message>
+    <message>
+        <source>units are walls, columns or voids: they became walls</source>
+        <translation>hay unidades que son paredes, columnas o huecos: pasaron a ser paredes</translation>
+    </message>
+    <message>
+        <source>units have no outline and were left out</source>
+        <translation>hay unidades sin contorno, que se dejaron fuera</translation>
+    </message>
+    <message>
+        <source>occupants have no anchor in a unit and were left out</source>
+        <translation>hay ocupantes sin ancla en una unidad, que se dejaron fuera</translation>
+    </message>
+    <message>
+        <source>openings are emergency exits, for vehicles or out of service: nobody is led through them</source>
+        <translation>hay aberturas que son salidas de emergencia, para vehículos o fuera de servicio: no se guía a nadie por ellas</translation>
+    </message>
+    <message>
+        <source>openings have no line and were left out</source>
+        <translation>hay aberturas sin línea, que se dejaron fuera</translation>
+    </message>
+    <message>
+        <source>amenities have no point and were left out</source>
+        <translation>hay servicios sin punto, que se dejaron fuera</translation>
+    </message>
+    <message>
+        <source>amenities name no unit that tells their level and were left out</source>
+        <translation>hay servicios que no nombran ninguna unidad que diga su planta, y se dejaron fuera</translation>
+    </message>
+    <message>
+        <source>relationships do not name two units and were left out</source>
+        <translation>hay relaciones que no nombran dos unidades, y se dejaron fuera</translation>
+    </message>
+    <message>
+        <source>the name of the coordinate system is not known; a local plane in metres is assumed</source>
+        <translation>el nombre del sistema de coordenadas no se conoce; se supone un plano local en metros</translation>
+    </message>
+    <message>
+        <source>cells left out: they have no outline, no id, or the id of another</source>
+        <translation>celdas dejadas fuera: no tienen contorno o identificador, o tienen el de otra</translation>
+    </message>
+    <message>
+        <source>transitions left out: they do not connect two cells that are there</source>
+        <translation>transiciones dejadas fuera: no unen dos celdas que existan</translation>
+    </message>
+    <message>
+        <source>storeys are named by words; levels were taken from the heights</source>
+        <translation>los pisos se nombran con palabras; se dedujeron de las alturas</translation>
+    </message>
+    <message>
+        <source>nothing tells the levels: all is taken as level 0; name the field that holds the level</source>
+        <translation>nada dice las plantas: todo se toma como planta 0; nombre el campo que tiene la planta</translation>
+    </message>
+    <message>
+        <source>levels were counted from the heights of the floors</source>
+        <translation>las plantas se contaron por la altura de los suelos</translation>
+    </message>
+    <message>
+        <source>the door&apos;s cell does not lie between two rooms: it stays a region</source>
+        <translation>la celda de la puerta no está entre dos salas: sigue siendo una región</translation>
+    </message>
+    <message>
+        <source>features left out: they are no node, link, facility or entrance</source>
+        <translation>elementos dejados fuera: no son nodo, enlace, instalación ni entrada</translation>
+    </message>
+    <message>
+        <source>the network has no areas: each node became a region of strips along its links, cut half-way, and each facility a square of 2 m behind its entrance</source>
+        <translation>la red no tiene áreas: cada nodo pasó a ser una región de franjas a lo largo de sus enlaces, cortadas a la mitad, y cada instalación un cuadrado de 2&#xa0;m tras su entrada</translation>
+    </message>
+    <message>
+        <source>floor 0 is taken as the ground floor; import it with the level from 1 when it is floor 1</source>
+        <translation>el piso 0 se toma como planta baja; impórtelo con la planta desde 1 si es el piso 1</translation>
+    </message>
+    <message>
+        <source>floor 1 is taken as the ground floor; import it with the level from 0 when it is floor 0</source>
+        <translation>el piso 1 se toma como planta baja; impórtelo con la planta desde 0 si es el piso 0</translation>
+    </message>
+    <message>
+        <source>nodes left out: they have no place, no id, or the id of another</source>
+        <translation>nodos dejados fuera: no tienen lugar o identificador, o tienen el de otro</translation>
+    </message>
+    <message>
+        <source>nodes without a floor are taken to be on the ground</source>
+        <translation>los nodos sin planta se toman como de la planta baja</translation>
+    </message>
+    <message>
+        <source>links left out: they do not join two nodes that are there</source>
+        <translation>enlaces dejados fuera: no unen dos nodos que existan</translation>
+    </message>
+    <message>
+        <source>no link leads to the node</source>
+        <translation>ningún enlace lleva al nodo</translation>
+    </message>
+    <message>
+        <source>no entrance with a known node leads to the facility: it became a landmark</source>
+        <translation>ninguna entrada con un nodo conocido lleva a la instalación: pasó a ser un punto de referencia</translation>
+    </message>
+    <message>
+        <source>the facility of the entrance is missing</source>
+        <translation>falta la instalación de la entrada</translation>
+    </message>
+    <message>
+        <source>left out: it lies more than 20 m from every node of its floor</source>
+        <translation>se dejó fuera: está a más de 20&#xa0;m de todos los nodos de su planta</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n spaces were closed from walls, doors and windows; they have no names, and whether they are rooms, corridors or halls is a guess from their doors and size</source>
+        <translation>
+            <numerusform>se cerró %n espacio a partir de paredes, puertas y ventanas; no tiene nombre, y si es sala, pasillo o vestíbulo es una suposición por sus puertas y su tamaño</numerusform>
+            <numerusform>se cerraron %n espacios a partir de paredes, puertas y ventanas; no tienen nombre, y si son salas, pasillos o vestíbulos es una suposición por sus puertas y su tamaño</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>strips under 0.3 m between walls were left out</source>
+        <translation>se dejaron fuera franjas de menos de 0,3&#xa0;m entre paredes</translation>
+    </message>
+    <message>
+        <source>no space lies on one side of the door: it leads outside, or a wall is missing</source>
+        <translation>a un lado de la puerta no hay espacio: da al exterior, o falta una pared</translation>
+    </message>
+    <message>
+        <source>%1, layer %2</source>
+        <translation>%1, capa %2</translation>
+    </message>
+</context>
+<context>
     <name>farol::Options</name>
     <message>
         <source>%1 needs a number above 0, not “%2”</source>
@@ -739,10 +1311,6 @@
     <message>
         <source>What was found</source>
         <translation>Qué se encontró</translation>
-    </message>
-    <message>
-        <source>In English: %1</source>
-        <translation>En inglés: %1</translation>
     </message>
     <message>
         <source>How many</source>

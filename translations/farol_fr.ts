@@ -88,6 +88,578 @@
     </message>
 </context>
 <context>
+    <name>core</name>
+    <message numerus="yes">
+        <source>%n features have no id; give each its own</source>
+        <translation>
+            <numerusform>%n élément n&apos;a pas d&apos;identifiant&#xa0;; donnez-lui le sien</numerusform>
+            <numerusform>%n éléments n&apos;ont pas d&apos;identifiant&#xa0;; donnez à chacun le sien</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n features share the id &quot;%1&quot;; give each its own</source>
+        <translation>
+            <numerusform>%n élément a l&apos;identifiant «&#xa0;%1&#xa0;»&#xa0;; donnez à chacun le sien</numerusform>
+            <numerusform>%n éléments partagent l&apos;identifiant «&#xa0;%1&#xa0;»&#xa0;; donnez à chacun le sien</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the outline of region &quot;%1&quot; has fewer than three corners; draw it again</source>
+        <translation>le contour de la région «&#xa0;%1&#xa0;» a moins de trois angles&#xa0;; redessinez-le</translation>
+    </message>
+    <message>
+        <source>the outline of region &quot;%1&quot; has a coordinate that is no number; draw it again</source>
+        <translation>le contour de la région «&#xa0;%1&#xa0;» a une coordonnée qui n&apos;est pas un nombre&#xa0;; redessinez-le</translation>
+    </message>
+    <message>
+        <source>the outline of region &quot;%1&quot; has no area; draw it again</source>
+        <translation>le contour de la région «&#xa0;%1&#xa0;» n&apos;a pas de surface&#xa0;; redessinez-le</translation>
+    </message>
+    <message>
+        <source>the outline of region &quot;%1&quot; crosses itself; draw it again</source>
+        <translation>le contour de la région «&#xa0;%1&#xa0;» se croise lui-même&#xa0;; redessinez-le</translation>
+    </message>
+    <message>
+        <source>the outline of region &quot;%1&quot; has a hole that has fewer than three corners; draw it again</source>
+        <translation>le contour de la région «&#xa0;%1&#xa0;» a un trou de moins de trois angles&#xa0;; redessinez-le</translation>
+    </message>
+    <message>
+        <source>the outline of region &quot;%1&quot; has a hole that has a coordinate that is no number; draw it again</source>
+        <translation>le contour de la région «&#xa0;%1&#xa0;» a un trou dont une coordonnée n&apos;est pas un nombre&#xa0;; redessinez-le</translation>
+    </message>
+    <message>
+        <source>the outline of region &quot;%1&quot; has a hole that has no area; draw it again</source>
+        <translation>le contour de la région «&#xa0;%1&#xa0;» a un trou sans surface&#xa0;; redessinez-le</translation>
+    </message>
+    <message>
+        <source>the outline of region &quot;%1&quot; has a hole that crosses itself; draw it again</source>
+        <translation>le contour de la région «&#xa0;%1&#xa0;» a un trou qui se croise lui-même&#xa0;; redessinez-le</translation>
+    </message>
+    <message>
+        <source>the outline of region &quot;%1&quot; has a hole that lies outside it; draw it again</source>
+        <translation>le contour de la région «&#xa0;%1&#xa0;» a un trou qui se trouve à l&apos;extérieur&#xa0;; redessinez-le</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n regions have neither name nor ref: only its kind is spoken</source>
+        <translation>
+            <numerusform>%n région n&apos;a ni nom ni numéro&#xa0;: seul son type est dit</numerusform>
+            <numerusform>%n régions n&apos;ont ni nom ni numéro&#xa0;: seul leur type est dit</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n regions are called &quot;%1&quot; or the like, which is never spoken; give it the name that people use</source>
+        <translation>
+            <numerusform>%n région s&apos;appelle «&#xa0;%1&#xa0;», ce qui n&apos;est jamais dit&#xa0;; donnez-lui le nom que les gens emploient</numerusform>
+            <numerusform>%n régions s&apos;appellent «&#xa0;%1&#xa0;» ou de façon semblable, ce qui n&apos;est jamais dit&#xa0;; donnez-leur le nom que les gens emploient</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>level %1 is used by %n regions but is not in the layer levels: its name cannot be spoken; add it</source>
+        <translation>
+            <numerusform>le niveau %1 est utilisé par %n région mais manque dans la liste des niveaux (levels)&#xa0;: son nom ne peut pas être dit&#xa0;; ajoutez-le</numerusform>
+            <numerusform>le niveau %1 est utilisé par %n régions mais manque dans la liste des niveaux (levels)&#xa0;: son nom ne peut pas être dit&#xa0;; ajoutez-le</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>access &quot;%1&quot; names the region &quot;%2&quot;, which does not exist; correct it</source>
+        <translation>le passage «&#xa0;%1&#xa0;» nomme la région «&#xa0;%2&#xa0;», qui n&apos;existe pas&#xa0;; corrigez-la</translation>
+    </message>
+    <message>
+        <source>access &quot;%1&quot; lies more than 1 m from region &quot;%2&quot;; move it to the border</source>
+        <translation>le passage «&#xa0;%1&#xa0;» est à plus de 1&#xa0;m de la région «&#xa0;%2&#xa0;»&#xa0;; déplacez-le sur la limite</translation>
+    </message>
+    <message>
+        <source>access &quot;%1&quot; has the same region on both sides: no route passes it; set region_a and region_b, or move it to a border</source>
+        <translation>le passage «&#xa0;%1&#xa0;» a la même région des deux côtés&#xa0;: aucun itinéraire n&apos;y passe&#xa0;; indiquez la région de chaque côté (region_a et region_b) ou déplacez-le sur une limite</translation>
+    </message>
+    <message>
+        <source>access &quot;%1&quot; does not join two regions: no route passes it; set region_a and region_b, or move it to a border</source>
+        <translation>le passage «&#xa0;%1&#xa0;» ne relie pas deux régions&#xa0;: aucun itinéraire n&apos;y passe&#xa0;; indiquez la région de chaque côté (region_a et region_b) ou déplacez-le sur une limite</translation>
+    </message>
+    <message>
+        <source>access &quot;%1&quot; is no stairs, lift, escalator or ramp but joins regions of levels %2 and %3; correct its kind or regions</source>
+        <translation>le passage «&#xa0;%1&#xa0;» n&apos;est ni escalier, ni ascenseur, ni escalier mécanique, ni rampe, mais relie des régions des niveaux %2 et %3&#xa0;; corrigez son type ou ses régions</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n accesses are drawn on more than two regions: see that region_a and region_b are the right ones</source>
+        <translation>
+            <numerusform>%n passage est dessiné sur plus de deux régions&#xa0;: vérifiez que les deux côtés (region_a et region_b) sont les bons</numerusform>
+            <numerusform>%n passages sont dessinés sur plus de deux régions&#xa0;: vérifiez que les deux côtés (region_a et region_b) sont les bons</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n escalators have no direction and count as running both ways: set oneway</source>
+        <translation>
+            <numerusform>%n escalier mécanique n&apos;a pas de sens de marche et compte comme allant dans les deux&#xa0;: indiquez-le (oneway)</numerusform>
+            <numerusform>%n escaliers mécaniques n&apos;ont pas de sens de marche et comptent comme allant dans les deux&#xa0;: indiquez-le (oneway)</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>shaft &quot;%1&quot; passes level %2 without an access there; add it, unless it does not stop there</source>
+        <translation>l&apos;escalier ou l&apos;ascenseur «&#xa0;%1&#xa0;» passe par le niveau %2 sans qu&apos;il y ait de passage&#xa0;; ajoutez-le, sauf s&apos;il ne s&apos;y arrête pas</translation>
+    </message>
+    <message>
+        <source>landmark &quot;%1&quot; belongs to no region; set region_id</source>
+        <translation>le repère «&#xa0;%1&#xa0;» n&apos;appartient à aucune région&#xa0;; indiquez-la (region_id)</translation>
+    </message>
+    <message>
+        <source>landmark &quot;%1&quot; names the region &quot;%2&quot;, which does not exist; correct it</source>
+        <translation>le repère «&#xa0;%1&#xa0;» nomme la région «&#xa0;%2&#xa0;», qui n&apos;existe pas&#xa0;; corrigez-la</translation>
+    </message>
+    <message>
+        <source>landmark &quot;%1&quot; is on level %2, its region &quot;%3&quot; on level %4</source>
+        <translation>le repère «&#xa0;%1&#xa0;» est au niveau %2, et sa région «&#xa0;%3&#xa0;» au niveau %4</translation>
+    </message>
+    <message>
+        <source>landmark &quot;%1&quot; lies more than 0.5 m outside its region &quot;%2&quot;; move it or correct region_id</source>
+        <translation>le repère «&#xa0;%1&#xa0;» est à plus de 0,5&#xa0;m hors de sa région «&#xa0;%2&#xa0;»&#xa0;; déplacez-le ou corrigez la région (region_id)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n features have the unknown kind &quot;%1&quot;; known are %2</source>
+        <translation>
+            <numerusform>%n élément a le type inconnu «&#xa0;%1&#xa0;»&#xa0;; sont connus, et entre parenthèses tels qu&apos;écrits dans la carte&#xa0;: %2</numerusform>
+            <numerusform>%n éléments ont le type inconnu «&#xa0;%1&#xa0;»&#xa0;; sont connus, et entre parenthèses tels qu&apos;écrits dans la carte&#xa0;: %2</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n features have the unknown kind &quot;%1&quot;; known are %2 (nobody is led through other)</source>
+        <translation>
+            <numerusform>%n élément a le type inconnu «&#xa0;%1&#xa0;»&#xa0;; sont connus, et entre parenthèses tels qu&apos;écrits dans la carte&#xa0;: %2 (personne n&apos;est guidé par «&#xa0;other&#xa0;»)</numerusform>
+            <numerusform>%n éléments ont le type inconnu «&#xa0;%1&#xa0;»&#xa0;; sont connus, et entre parenthèses tels qu&apos;écrits dans la carte&#xa0;: %2 (personne n&apos;est guidé par «&#xa0;other&#xa0;»)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>the building falls into %1 parts; %n regions cannot be reached from the largest (%2): accesses are missing or closed</source>
+        <translation>
+            <numerusform>le bâtiment se divise en %1 parties&#xa0;; %n région est inaccessible depuis la plus grande (%2)&#xa0;: des passages manquent ou sont fermés</numerusform>
+            <numerusform>le bâtiment se divise en %1 parties&#xa0;; %n régions sont inaccessibles depuis la plus grande (%2)&#xa0;: des passages manquent ou sont fermés</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n regions</source>
+        <translation>
+            <numerusform>%n région</numerusform>
+            <numerusform>%n régions</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>region &quot;%1&quot; is a sliver, about %2 m wide: nobody stands there; join it to its neighbour</source>
+        <translation>la région «&#xa0;%1&#xa0;» est une bande d&apos;environ %2&#xa0;m de large&#xa0;: personne ne s&apos;y tient&#xa0;; réunissez-la avec sa voisine</translation>
+    </message>
+    <message>
+        <source>regions &quot;%1&quot; and &quot;%2&quot; have the same outline; remove one</source>
+        <translation>les régions «&#xa0;%1&#xa0;» et «&#xa0;%2&#xa0;» ont le même contour&#xa0;; retirez-en une</translation>
+    </message>
+    <message>
+        <source>regions &quot;%1&quot; and &quot;%2&quot;: the smaller lies inside the larger; cut it out of the larger one, unless it is a part of it</source>
+        <translation>régions «&#xa0;%1&#xa0;» et «&#xa0;%2&#xa0;»&#xa0;: la plus petite est à l&apos;intérieur de la plus grande&#xa0;; découpez-la dans la plus grande, sauf si elle en fait partie</translation>
+    </message>
+    <message>
+        <source>regions &quot;%1&quot; and &quot;%2&quot; overlap by %3 % of the smaller; draw the border between them</source>
+        <translation>les régions «&#xa0;%1&#xa0;» et «&#xa0;%2&#xa0;» se chevauchent sur %3&#xa0;% de la plus petite&#xa0;; dessinez la limite entre elles</translation>
+    </message>
+    <message>
+        <source>so many regions overlap that not all pairs were compared; are all levels drawn on one?</source>
+        <translation>tant de régions se chevauchent que toutes les paires n&apos;ont pas été comparées&#xa0;; tous les niveaux sont-ils dessinés sur un seul&#xa0;?</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n regions of level %1 have the ref &quot;%2&quot;: people are led to the wrong one; correct it</source>
+        <translation>
+            <numerusform>%n région du niveau %1 a le numéro «&#xa0;%2&#xa0;»&#xa0;: les gens sont menés à la mauvaise&#xa0;; corrigez-le</numerusform>
+            <numerusform>%n régions du niveau %1 ont le numéro «&#xa0;%2&#xa0;»&#xa0;: les gens sont menés à la mauvaise&#xa0;; corrigez-le</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the whole building is smaller than 0.3 m: its coordinates are degrees, not metres; import or reproject it</source>
+        <translation>tout le bâtiment fait moins de 0,3&#xa0;m&#xa0;: ses coordonnées sont des degrés, pas des mètres&#xa0;; importez-le ou reprojetez-le</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n regions have no door or other access that joins another region: nobody can be led there; add it</source>
+        <translation>
+            <numerusform>%n région n&apos;a ni porte ni autre passage vers une autre région&#xa0;: personne ne peut y être mené&#xa0;; ajoutez-le</numerusform>
+            <numerusform>%n régions n&apos;ont ni porte ni autre passage vers une autre région&#xa0;: personne ne peut y être mené&#xa0;; ajoutez-le</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n regions have a door drawn on the border, but the door joins two others and nothing leads there: correct region_a or region_b, or draw another door</source>
+        <translation>
+            <numerusform>%n région a une porte dessinée sur sa limite, mais elle en relie deux autres et rien n&apos;y mène&#xa0;: corrigez un de ses côtés (region_a ou region_b) ou dessinez une autre porte</numerusform>
+            <numerusform>%n régions ont une porte dessinée sur leur limite, mais elle en relie deux autres et rien n&apos;y mène&#xa0;: corrigez un de ses côtés (region_a ou region_b) ou dessinez une autre porte</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>features had no id and were given one</source>
+        <translation>des éléments n&apos;avaient pas d&apos;identifiant et en ont reçu un</translation>
+    </message>
+    <message>
+        <source>features shared an id and were given another</source>
+        <translation>des éléments partageaient un identifiant et en ont reçu un autre</translation>
+    </message>
+    <message>
+        <source>outlines have corners that are no places; these were left out</source>
+        <translation>des contours ont des angles qui ne sont pas des lieux&#xa0;; ils ont été laissés de côté</translation>
+    </message>
+    <message>
+        <source>outlines have fewer than three corners; the regions were left out</source>
+        <translation>des contours ont moins de trois angles&#xa0;; ces régions ont été laissées de côté</translation>
+    </message>
+    <message>
+        <source>outlines have more than 200,000 corners; the regions were left out</source>
+        <translation>des contours ont plus de 200&#xa0;000 angles&#xa0;; ces régions ont été laissées de côté</translation>
+    </message>
+    <message>
+        <source>outlines enclose no area; the regions were left out</source>
+        <translation>des contours n&apos;entourent aucune surface&#xa0;; ces régions ont été laissées de côté</translation>
+    </message>
+    <message>
+        <source>outlines crossed or touched themselves and were mended: compare them with the plan</source>
+        <translation>des contours se croisaient ou se touchaient eux-mêmes et ont été réparés&#xa0;: comparez-les au plan</translation>
+    </message>
+    <message>
+        <source>regions fell into several parts: each part is a region of its own</source>
+        <translation>des régions étaient en plusieurs parties&#xa0;: chaque partie est une région à part</translation>
+    </message>
+    <message>
+        <source>regions repeat the outline of another one on their level and were merged with it</source>
+        <translation>des régions répètent le contour d&apos;une autre de leur niveau et ont été réunies avec elle</translation>
+    </message>
+    <message>
+        <source>accesses have points that are no places; these were left out</source>
+        <translation>des passages ont des points qui ne sont pas des lieux&#xa0;; ils ont été laissés de côté</translation>
+    </message>
+    <message>
+        <source>accesses have no place on the map and were left out</source>
+        <translation>des passages n&apos;ont pas d&apos;emplacement sur la carte et ont été laissés de côté</translation>
+    </message>
+    <message>
+        <source>landmarks have no place on the map and were left out</source>
+        <translation>des repères n&apos;ont pas d&apos;emplacement sur la carte et ont été laissés de côté</translation>
+    </message>
+    <message>
+        <source>levels are no floors of a building; level 0 is assumed</source>
+        <translation>des niveaux ne sont pas ceux d&apos;un bâtiment&#xa0;; le niveau 0 est supposé</translation>
+    </message>
+    <message>
+        <source>levels stand twice in the source; the first name is kept</source>
+        <translation>des niveaux figurent deux fois dans la source&#xa0;; le premier nom est gardé</translation>
+    </message>
+    <message>
+        <source>regions had no name and were given one from kind and number, such as &quot;Corridor 3&quot;: rename them</source>
+        <translation>des régions n&apos;avaient pas de nom et en ont reçu un fait du type et d&apos;un numéro, comme «&#xa0;Corridor 3&#xa0;»&#xa0;: renommez-les</translation>
+    </message>
+    <message>
+        <source>landmarks lie outside every region and were given to the nearest one</source>
+        <translation>des repères sont hors de toute région et ont été attribués à la plus proche</translation>
+    </message>
+    <message>
+        <source>openings were added where regions meet without a wall between them</source>
+        <translation>des ouvertures ont été ajoutées là où des régions se touchent sans mur entre elles</translation>
+    </message>
+    <message>
+        <source>accesses are drawn on fewer than two regions</source>
+        <translation>des passages sont dessinés sur moins de deux régions</translation>
+    </message>
+    <message>
+        <source>accesses lie beside more than two regions; the two with the widest border were taken: see that they are right</source>
+        <translation>des passages sont à côté de plus de deux régions&#xa0;; les deux à la limite la plus large ont été prises&#xa0;: vérifiez que ce sont les bonnes</translation>
+    </message>
+    <message>
+        <source>accesses run from one region to another and along no border: if one walks along the line, set region_a and region_b</source>
+        <translation>des passages vont d&apos;une région à l&apos;autre sans suivre de limite&#xa0;: si l&apos;on marche le long de la ligne, indiquez la région de chaque côté (region_a et region_b)</translation>
+    </message>
+    <message>
+        <source>stairs, lifts or escalators lead to a level that nothing names: set region_b, or give them and their other end the same shaft</source>
+        <translation>des escaliers, ascenseurs ou escaliers mécaniques mènent à un niveau que rien ne nomme&#xa0;: indiquez la région de l&apos;autre côté (region_b), ou donnez-leur la même cage (shaft) qu&apos;à leur autre bout</translation>
+    </message>
+    <message>
+        <source>upper ends of stairs, lifts or escalators were left out: their lower ends lead there already</source>
+        <translation>des extrémités hautes d&apos;escaliers, d&apos;ascenseurs ou d&apos;escaliers mécaniques ont été laissées de côté&#xa0;: les basses y mènent déjà</translation>
+    </message>
+    <message>
+        <source>links between levels name regions that do not exist</source>
+        <translation>des liaisons entre niveaux nomment des régions qui n&apos;existent pas</translation>
+    </message>
+    <message>
+        <source>stairs, lifts or escalators were joined with the ones above them, because their outlines overlap</source>
+        <translation>des escaliers, ascenseurs ou escaliers mécaniques ont été reliés à ceux du dessus, parce que leurs contours se chevauchent</translation>
+    </message>
+    <message>
+        <source>the coordinate reference system of the source cannot be understood</source>
+        <translation>le système de coordonnées de la source n&apos;est pas compris</translation>
+    </message>
+    <message>
+        <source>the source names a CRS in metres, but its coordinates are degrees: they are taken as WGS 84</source>
+        <translation>la source nomme un système de coordonnées en mètres, mais ses coordonnées sont des degrés&#xa0;: elles sont prises comme WGS 84</translation>
+    </message>
+    <message>
+        <source>the source names no CRS; its coordinates look like degrees and are taken as WGS 84</source>
+        <translation>la source ne nomme pas de système de coordonnées&#xa0;; elles ressemblent à des degrés et sont prises comme WGS 84</translation>
+    </message>
+    <message>
+        <source>the source names a CRS in degrees, but its coordinates are not: they are taken as metres of a local plane</source>
+        <translation>la source nomme un système de coordonnées en degrés, mais ses coordonnées n&apos;en sont pas&#xa0;: elles sont prises comme mètres d&apos;un plan local</translation>
+    </message>
+    <message>
+        <source>the source names no CRS: its coordinates are taken as metres of a local plane; name the CRS if there is one</source>
+        <translation>la source ne nomme pas de système de coordonnées&#xa0;: elles sont prises comme mètres d&apos;un plan local&#xa0;; nommez le système s&apos;il y en a un</translation>
+    </message>
+    <message>
+        <source>north and east stand in each other&apos;s place in the source: they were exchanged; export it again to be sure</source>
+        <translation>le nord et l&apos;est sont échangés dans la source&#xa0;: ils ont été remis à leur place&#xa0;; exportez-la de nouveau pour en avoir le cœur net</translation>
+    </message>
+    <message>
+        <source>coordinates were brought from %1 to %2, in metres</source>
+        <translation>les coordonnées ont été converties de %1 en %2, en mètres</translation>
+    </message>
+    <message>
+        <source>coordinates were brought from the source&apos;s CRS to %1, in metres</source>
+        <translation>les coordonnées ont été converties du système de la source en %1, en mètres</translation>
+    </message>
+    <message>
+        <source>layers hold no rooms, doors, walls or points by their name; a profile can say otherwise</source>
+        <translation>des couches ne contiennent, d&apos;après leur nom, ni salles, ni portes, ni murs, ni points&#xa0;; un profil peut dire autre chose</translation>
+    </message>
+    <message>
+        <source>features cannot be brought to the CRS of the other layers</source>
+        <translation>des éléments ne peuvent pas être convertis dans le système de coordonnées des autres couches</translation>
+    </message>
+    <message>
+        <source>layers tell no level; the ground floor is assumed: name the field that holds the level</source>
+        <translation>des couches ne disent pas le niveau&#xa0;; le rez-de-chaussée est supposé&#xa0;: nommez le champ qui contient le niveau</translation>
+    </message>
+    <message>
+        <source>levels were counted from the heights of the shapes, the one nearest to 0 as the ground floor</source>
+        <translation>les niveaux ont été comptés d&apos;après la hauteur des formes, le plus proche de 0 comme rez-de-chaussée</translation>
+    </message>
+    <message>
+        <source>lines of layers that nothing names doors or walls are taken as walls; name the layer or give a profile</source>
+        <translation>les lignes de couches que rien ne désigne comme portes ou murs sont prises comme murs&#xa0;; nommez la couche ou donnez un profil</translation>
+    </message>
+    <message>
+        <source>features have no geometry and were left out</source>
+        <translation>des éléments n&apos;ont pas de forme et ont été laissés de côté</translation>
+    </message>
+    <message>
+        <source>features have the code &quot;%1&quot;, which nobody knows: name it under codes in a profile</source>
+        <translation>des éléments ont le code «&#xa0;%1&#xa0;», que personne ne connaît&#xa0;: nommez-le dans un profil, sous «&#xa0;codes&#xa0;»</translation>
+    </message>
+    <message>
+        <source>accesses have a direction that nobody knows and are taken to be passed both ways: a_to_b, b_to_a, up or down is wanted</source>
+        <translation>des passages ont un sens que personne ne connaît et sont pris comme allant dans les deux&#xa0;: il faut a_to_b, b_to_a, up ou down</translation>
+    </message>
+    <message>
+        <source>points name a region that does not exist; the one they lie in is taken</source>
+        <translation>des points nomment une région qui n&apos;existe pas&#xa0;; celle où ils se trouvent est prise</translation>
+    </message>
+    <message>
+        <source>layers have no features: %1</source>
+        <translation>des couches n&apos;ont pas d&apos;éléments&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>layers name no CRS; that of the other layers is taken</source>
+        <translation>des couches ne nomment pas de système de coordonnées&#xa0;; celui des autres couches est pris</translation>
+    </message>
+    <message>
+        <source>features left out: their coordinates are missing or no places on Earth</source>
+        <translation>éléments laissés de côté&#xa0;: leurs coordonnées manquent ou ne sont pas des lieux sur Terre</translation>
+    </message>
+    <message>
+        <source>features left out: they have no usable shape</source>
+        <translation>éléments laissés de côté&#xa0;: ils n&apos;ont pas de forme utilisable</translation>
+    </message>
+    <message>
+        <source>the value of level or repeat_on is no list of levels such as -1;0 or 1-3: correct it</source>
+        <translation>la valeur de level ou repeat_on n&apos;est pas une liste de niveaux comme -1;0 ou 1-3&#xa0;: corrigez-la</translation>
+    </message>
+    <message>
+        <source>there is no readable level; level 0 is assumed: add the level</source>
+        <translation>il n&apos;y a pas de niveau lisible&#xa0;; le niveau 0 est supposé&#xa0;: ajoutez le niveau (level)</translation>
+    </message>
+    <message>
+        <source>the lift is a point in the source: a square of 1.6 m was drawn for its car</source>
+        <translation>l&apos;ascenseur est un point dans la source&#xa0;: un carré de 1,6&#xa0;m a été dessiné pour sa cabine</translation>
+    </message>
+    <message>
+        <source>left out: it has no level, and it stands over no or several levels&apos; regions</source>
+        <translation>laissé de côté&#xa0;: il n&apos;a pas de niveau, et se trouve au-dessus de régions de plusieurs niveaux ou d&apos;aucun</translation>
+    </message>
+    <message>
+        <source>left out: no region of its level lies within 3 m</source>
+        <translation>laissé de côté&#xa0;: aucune région de son niveau n&apos;est à moins de 3&#xa0;m</translation>
+    </message>
+    <message>
+        <source>left out: it has no level and stands on no outline of a region</source>
+        <translation>laissée de côté&#xa0;: elle n&apos;a pas de niveau et n&apos;est sur le contour d&apos;aucune région</translation>
+    </message>
+    <message>
+        <source>no door is drawn where a way leads into the room: an opening was put there</source>
+        <translation>aucune porte n&apos;est dessinée là où un chemin entre dans la salle&#xa0;: une ouverture y a été placée</translation>
+    </message>
+    <message>
+        <source>nothing tells which end of the steps is up; the first was taken as the lower: add incline</source>
+        <translation>rien ne dit quel bout des marches est en haut&#xa0;; le premier a été pris comme le bas&#xa0;: ajoutez incline</translation>
+    </message>
+    <message>
+        <source>no region lies at an end of the steps: draw the area or way it leads to</source>
+        <translation>aucune région n&apos;est à un bout des marches&#xa0;: dessinez la zone ou le chemin où elles mènent</translation>
+    </message>
+    <message>
+        <source>steps left out: their line has no length</source>
+        <translation>marches laissées de côté&#xa0;: leur ligne n&apos;a pas de longueur</translation>
+    </message>
+    <message>
+        <source>nothing tells which way the walkway runs; it is taken to run both ways: set conveying to forward or backward</source>
+        <translation>rien ne dit dans quel sens fonctionne le tapis roulant&#xa0;; on suppose les deux&#xa0;: indiquez forward ou backward dans conveying</translation>
+    </message>
+    <message>
+        <source>no region lies at an end of the walkway: draw the area or way it leads to</source>
+        <translation>aucune région n&apos;est à un bout du tapis roulant&#xa0;: dessinez la zone ou le chemin où il mène</translation>
+    </message>
+    <message>
+        <source>the lift has no drawn door; one was put on a side that is open: move it to its place</source>
+        <translation>l&apos;ascenseur n&apos;a pas de porte dessinée&#xa0;; une a été placée d&apos;un côté ouvert&#xa0;: déplacez-la à sa place</translation>
+    </message>
+    <message>
+        <source>features of the type %1 have no place in a building file</source>
+        <translation>les éléments du type %1 n&apos;ont pas de place dans un fichier de bâtiment</translation>
+    </message>
+    <message>
+        <source>levels have no ordinal; they are taken as the ground floor</source>
+        <translation>des niveaux n&apos;ont pas d&apos;ordinal&#xa0;; ils sont pris comme rez-de-chaussée</translation>
+    </message>
+    <message>
+        <source>features name a level that does not exist; the ground floor is assumed</source>
+        <translation>des éléments nomment un niveau qui n&apos;existe pas&#xa0;; le rez-de-chaussée est supposé</translation>
+    </message>
+    <message>
+        <source>units have a category that IMDF 1.0 does not list; they are taken as rooms</source>
+        <translation>des unités ont une catégorie qu&apos;IMDF 1.0 ne liste pas&#xa0;; elles sont prises comme salles</translation>
+    </message>
+    <message>
+        <source>units are walls, columns or voids: they became walls</source>
+        <translation>des unités sont des murs, des colonnes ou des vides&#xa0;: elles sont devenues des murs</translation>
+    </message>
+    <message>
+        <source>units have no outline and were left out</source>
+        <translation>des unités n&apos;ont pas de contour et ont été laissées de côté</translation>
+    </message>
+    <message>
+        <source>occupants have no anchor in a unit and were left out</source>
+        <translation>des occupants n&apos;ont pas d&apos;ancre dans une unité et ont été laissés de côté</translation>
+    </message>
+    <message>
+        <source>openings are emergency exits, for vehicles or out of service: nobody is led through them</source>
+        <translation>des ouvertures sont des sorties de secours, réservées aux véhicules ou hors service&#xa0;: personne n&apos;y est guidé</translation>
+    </message>
+    <message>
+        <source>openings have no line and were left out</source>
+        <translation>des ouvertures n&apos;ont pas de ligne et ont été laissées de côté</translation>
+    </message>
+    <message>
+        <source>amenities have no point and were left out</source>
+        <translation>des équipements n&apos;ont pas de point et ont été laissés de côté</translation>
+    </message>
+    <message>
+        <source>amenities name no unit that tells their level and were left out</source>
+        <translation>des équipements ne nomment aucune unité qui dise leur niveau et ont été laissés de côté</translation>
+    </message>
+    <message>
+        <source>relationships do not name two units and were left out</source>
+        <translation>des relations ne nomment pas deux unités et ont été laissées de côté</translation>
+    </message>
+    <message>
+        <source>the name of the coordinate system is not known; a local plane in metres is assumed</source>
+        <translation>le nom du système de coordonnées est inconnu&#xa0;; un plan local en mètres est supposé</translation>
+    </message>
+    <message>
+        <source>cells left out: they have no outline, no id, or the id of another</source>
+        <translation>cellules laissées de côté&#xa0;: elles n&apos;ont pas de contour ou d&apos;identifiant, ou ont celui d&apos;une autre</translation>
+    </message>
+    <message>
+        <source>transitions left out: they do not connect two cells that are there</source>
+        <translation>transitions laissées de côté&#xa0;: elles ne relient pas deux cellules existantes</translation>
+    </message>
+    <message>
+        <source>storeys are named by words; levels were taken from the heights</source>
+        <translation>les étages sont nommés par des mots&#xa0;; les niveaux ont été déduits des hauteurs</translation>
+    </message>
+    <message>
+        <source>nothing tells the levels: all is taken as level 0; name the field that holds the level</source>
+        <translation>rien ne dit les niveaux&#xa0;: tout est pris comme niveau 0&#xa0;; nommez le champ qui contient le niveau</translation>
+    </message>
+    <message>
+        <source>levels were counted from the heights of the floors</source>
+        <translation>les niveaux ont été comptés d&apos;après la hauteur des sols</translation>
+    </message>
+    <message>
+        <source>the door&apos;s cell does not lie between two rooms: it stays a region</source>
+        <translation>la cellule de la porte n&apos;est pas entre deux salles&#xa0;: elle reste une région</translation>
+    </message>
+    <message>
+        <source>features left out: they are no node, link, facility or entrance</source>
+        <translation>éléments laissés de côté&#xa0;: ils ne sont ni nœud, ni liaison, ni équipement, ni entrée</translation>
+    </message>
+    <message>
+        <source>the network has no areas: each node became a region of strips along its links, cut half-way, and each facility a square of 2 m behind its entrance</source>
+        <translation>le réseau n&apos;a pas de surfaces&#xa0;: chaque nœud est devenu une région de bandes le long de ses liaisons, coupées à mi-chemin, et chaque équipement un carré de 2&#xa0;m derrière son entrée</translation>
+    </message>
+    <message>
+        <source>floor 0 is taken as the ground floor; import it with the level from 1 when it is floor 1</source>
+        <translation>l&apos;étage 0 est pris comme rez-de-chaussée&#xa0;; importez avec le niveau à partir de 1 si c&apos;est l&apos;étage 1</translation>
+    </message>
+    <message>
+        <source>floor 1 is taken as the ground floor; import it with the level from 0 when it is floor 0</source>
+        <translation>l&apos;étage 1 est pris comme rez-de-chaussée&#xa0;; importez avec le niveau à partir de 0 si c&apos;est l&apos;étage 0</translation>
+    </message>
+    <message>
+        <source>nodes left out: they have no place, no id, or the id of another</source>
+        <translation>nœuds laissés de côté&#xa0;: ils n&apos;ont pas d&apos;emplacement ou d&apos;identifiant, ou ont celui d&apos;un autre</translation>
+    </message>
+    <message>
+        <source>nodes without a floor are taken to be on the ground</source>
+        <translation>les nœuds sans étage sont pris comme étant au rez-de-chaussée</translation>
+    </message>
+    <message>
+        <source>links left out: they do not join two nodes that are there</source>
+        <translation>liaisons laissées de côté&#xa0;: elles ne relient pas deux nœuds existants</translation>
+    </message>
+    <message>
+        <source>no link leads to the node</source>
+        <translation>aucune liaison ne mène au nœud</translation>
+    </message>
+    <message>
+        <source>no entrance with a known node leads to the facility: it became a landmark</source>
+        <translation>aucune entrée au nœud connu ne mène à l&apos;équipement&#xa0;: il est devenu un repère</translation>
+    </message>
+    <message>
+        <source>the facility of the entrance is missing</source>
+        <translation>l&apos;équipement de l&apos;entrée manque</translation>
+    </message>
+    <message>
+        <source>left out: it lies more than 20 m from every node of its floor</source>
+        <translation>laissé de côté&#xa0;: il est à plus de 20&#xa0;m de tous les nœuds de son étage</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n spaces were closed from walls, doors and windows; they have no names, and whether they are rooms, corridors or halls is a guess from their doors and size</source>
+        <translation>
+            <numerusform>%n espace a été fermé d&apos;après les murs, les portes et les fenêtres&#xa0;; il n&apos;a pas de nom, et savoir s&apos;il est salle, couloir ou hall est une supposition d&apos;après ses portes et sa taille</numerusform>
+            <numerusform>%n espaces ont été fermés d&apos;après les murs, les portes et les fenêtres&#xa0;; ils n&apos;ont pas de nom, et savoir s&apos;ils sont salles, couloirs ou halls est une supposition d&apos;après leurs portes et leur taille</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>strips under 0.3 m between walls were left out</source>
+        <translation>des bandes de moins de 0,3&#xa0;m entre les murs ont été laissées de côté</translation>
+    </message>
+    <message>
+        <source>no space lies on one side of the door: it leads outside, or a wall is missing</source>
+        <translation>d&apos;un côté de la porte il n&apos;y a pas d&apos;espace&#xa0;: elle donne sur l&apos;extérieur, ou un mur manque</translation>
+    </message>
+    <message>
+        <source>%1, layer %2</source>
+        <translation>%1, couche %2</translation>
+    </message>
+</context>
+<context>
     <name>farol::Options</name>
     <message>
         <source>%1 needs a number above 0, not “%2”</source>
@@ -739,10 +1311,6 @@
     <message>
         <source>What was found</source>
         <translation>Ce qui a été trouvé</translation>
-    </message>
-    <message>
-        <source>In English: %1</source>
-        <translation>En anglais&#xa0;: %1</translation>
     </message>
     <message>
         <source>How many</source>
@@ -3530,7 +4098,7 @@ Ouvrez-en une avec Ctrl+O.</translation>
     </message>
     <message>
         <source>From here, probably</source>
-        <translation>À partir d'ici, probablement</translation>
+        <translation>À partir d&apos;ici, probablement</translation>
     </message>
     <message>
         <source>I do not know yet where you are.</source>

@@ -88,6 +88,578 @@
     </message>
 </context>
 <context>
+    <name>core</name>
+    <message numerus="yes">
+        <source>%n features have no id; give each its own</source>
+        <translation>
+            <numerusform>%n elemento não tem identificador; dê-lhe um próprio</numerusform>
+            <numerusform>%n elementos não têm identificador; dê a cada um o seu</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n features share the id &quot;%1&quot;; give each its own</source>
+        <translation>
+            <numerusform>%n elemento tem o identificador “%1”; dê a cada um o seu</numerusform>
+            <numerusform>%n elementos têm o mesmo identificador “%1”; dê a cada um o seu</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the outline of region &quot;%1&quot; has fewer than three corners; draw it again</source>
+        <translation>o contorno do espaço “%1” tem menos de três cantos; desenhe-o de novo</translation>
+    </message>
+    <message>
+        <source>the outline of region &quot;%1&quot; has a coordinate that is no number; draw it again</source>
+        <translation>o contorno do espaço “%1” tem uma coordenada que não é um número; desenhe-o de novo</translation>
+    </message>
+    <message>
+        <source>the outline of region &quot;%1&quot; has no area; draw it again</source>
+        <translation>o contorno do espaço “%1” não tem área; desenhe-o de novo</translation>
+    </message>
+    <message>
+        <source>the outline of region &quot;%1&quot; crosses itself; draw it again</source>
+        <translation>o contorno do espaço “%1” cruza-se a si próprio; desenhe-o de novo</translation>
+    </message>
+    <message>
+        <source>the outline of region &quot;%1&quot; has a hole that has fewer than three corners; draw it again</source>
+        <translation>o contorno do espaço “%1” tem um buraco com menos de três cantos; desenhe-o de novo</translation>
+    </message>
+    <message>
+        <source>the outline of region &quot;%1&quot; has a hole that has a coordinate that is no number; draw it again</source>
+        <translation>o contorno do espaço “%1” tem um buraco com uma coordenada que não é um número; desenhe-o de novo</translation>
+    </message>
+    <message>
+        <source>the outline of region &quot;%1&quot; has a hole that has no area; draw it again</source>
+        <translation>o contorno do espaço “%1” tem um buraco sem área; desenhe-o de novo</translation>
+    </message>
+    <message>
+        <source>the outline of region &quot;%1&quot; has a hole that crosses itself; draw it again</source>
+        <translation>o contorno do espaço “%1” tem um buraco que se cruza a si próprio; desenhe-o de novo</translation>
+    </message>
+    <message>
+        <source>the outline of region &quot;%1&quot; has a hole that lies outside it; draw it again</source>
+        <translation>o contorno do espaço “%1” tem um buraco que fica fora dele; desenhe-o de novo</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n regions have neither name nor ref: only its kind is spoken</source>
+        <translation>
+            <numerusform>%n espaço não tem nome nem número: só se diz o seu tipo</numerusform>
+            <numerusform>%n espaços não têm nome nem número: só se diz o seu tipo</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n regions are called &quot;%1&quot; or the like, which is never spoken; give it the name that people use</source>
+        <translation>
+            <numerusform>%n espaço chama-se “%1”, o que nunca é dito; dê-lhe o nome que as pessoas usam</numerusform>
+            <numerusform>%n espaços chamam-se “%1” ou coisa parecida, o que nunca é dito; dê-lhes o nome que as pessoas usam</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>level %1 is used by %n regions but is not in the layer levels: its name cannot be spoken; add it</source>
+        <translation>
+            <numerusform>o piso %1 é usado por %n espaço mas não está na lista de pisos (levels): o seu nome não pode ser dito; junte-o</numerusform>
+            <numerusform>o piso %1 é usado por %n espaços mas não está na lista de pisos (levels): o seu nome não pode ser dito; junte-o</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>access &quot;%1&quot; names the region &quot;%2&quot;, which does not exist; correct it</source>
+        <translation>a passagem “%1” indica o espaço “%2”, que não existe; corrija-o</translation>
+    </message>
+    <message>
+        <source>access &quot;%1&quot; lies more than 1 m from region &quot;%2&quot;; move it to the border</source>
+        <translation>a passagem “%1” fica a mais de 1&#xa0;m do espaço “%2”; mova-a para a fronteira</translation>
+    </message>
+    <message>
+        <source>access &quot;%1&quot; has the same region on both sides: no route passes it; set region_a and region_b, or move it to a border</source>
+        <translation>a passagem “%1” tem o mesmo espaço dos dois lados: nenhum caminho passa por ela; indique o espaço de cada lado (region_a e region_b) ou mova-a para uma fronteira</translation>
+    </message>
+    <message>
+        <source>access &quot;%1&quot; does not join two regions: no route passes it; set region_a and region_b, or move it to a border</source>
+        <translation>a passagem “%1” não liga dois espaços: nenhum caminho passa por ela; indique o espaço de cada lado (region_a e region_b) ou mova-a para uma fronteira</translation>
+    </message>
+    <message>
+        <source>access &quot;%1&quot; is no stairs, lift, escalator or ramp but joins regions of levels %2 and %3; correct its kind or regions</source>
+        <translation>a passagem “%1” não é escada, elevador, escada rolante nem rampa, mas liga espaços dos pisos %2 e %3; corrija o seu tipo ou os espaços</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n accesses are drawn on more than two regions: see that region_a and region_b are the right ones</source>
+        <translation>
+            <numerusform>%n passagem está desenhada em mais de dois espaços: veja se os dois lados (region_a e region_b) são os certos</numerusform>
+            <numerusform>%n passagens estão desenhadas em mais de dois espaços: veja se os dois lados (region_a e region_b) são os certos</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n escalators have no direction and count as running both ways: set oneway</source>
+        <translation>
+            <numerusform>%n escada rolante não tem sentido e conta como se andasse nos dois: indique-o (oneway)</numerusform>
+            <numerusform>%n escadas rolantes não têm sentido e contam como se andassem nos dois: indique-o (oneway)</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>shaft &quot;%1&quot; passes level %2 without an access there; add it, unless it does not stop there</source>
+        <translation>a escada ou o elevador “%1” passa pelo piso %2 sem lá ter passagem; junte-a, a não ser que não pare ali</translation>
+    </message>
+    <message>
+        <source>landmark &quot;%1&quot; belongs to no region; set region_id</source>
+        <translation>o ponto de referência “%1” não pertence a nenhum espaço; indique-o (region_id)</translation>
+    </message>
+    <message>
+        <source>landmark &quot;%1&quot; names the region &quot;%2&quot;, which does not exist; correct it</source>
+        <translation>o ponto de referência “%1” indica o espaço “%2”, que não existe; corrija-o</translation>
+    </message>
+    <message>
+        <source>landmark &quot;%1&quot; is on level %2, its region &quot;%3&quot; on level %4</source>
+        <translation>o ponto de referência “%1” está no piso %2, e o seu espaço “%3” no piso %4</translation>
+    </message>
+    <message>
+        <source>landmark &quot;%1&quot; lies more than 0.5 m outside its region &quot;%2&quot;; move it or correct region_id</source>
+        <translation>o ponto de referência “%1” fica mais de 0,5&#xa0;m fora do seu espaço “%2”; mova-o ou corrija o espaço (region_id)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n features have the unknown kind &quot;%1&quot;; known are %2</source>
+        <translation>
+            <numerusform>%n elemento tem o tipo desconhecido “%1”; conhecem-se, e entre parênteses como se escrevem no mapa: %2</numerusform>
+            <numerusform>%n elementos têm o tipo desconhecido “%1”; conhecem-se, e entre parênteses como se escrevem no mapa: %2</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n features have the unknown kind &quot;%1&quot;; known are %2 (nobody is led through other)</source>
+        <translation>
+            <numerusform>%n elemento tem o tipo desconhecido “%1”; conhecem-se, e entre parênteses como se escrevem no mapa: %2 (por “other” ninguém é levado)</numerusform>
+            <numerusform>%n elementos têm o tipo desconhecido “%1”; conhecem-se, e entre parênteses como se escrevem no mapa: %2 (por “other” ninguém é levado)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>the building falls into %1 parts; %n regions cannot be reached from the largest (%2): accesses are missing or closed</source>
+        <translation>
+            <numerusform>o edifício divide-se em %1 partes; %n espaço não se alcança a partir da maior (%2): faltam passagens ou estão fechadas</numerusform>
+            <numerusform>o edifício divide-se em %1 partes; %n espaços não se alcançam a partir da maior (%2): faltam passagens ou estão fechadas</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n regions</source>
+        <translation>
+            <numerusform>%n espaço</numerusform>
+            <numerusform>%n espaços</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>region &quot;%1&quot; is a sliver, about %2 m wide: nobody stands there; join it to its neighbour</source>
+        <translation>o espaço “%1” é uma tira com cerca de %2&#xa0;m de largura: ninguém lá cabe; junte-o ao vizinho</translation>
+    </message>
+    <message>
+        <source>regions &quot;%1&quot; and &quot;%2&quot; have the same outline; remove one</source>
+        <translation>os espaços “%1” e “%2” têm o mesmo contorno; retire um</translation>
+    </message>
+    <message>
+        <source>regions &quot;%1&quot; and &quot;%2&quot;: the smaller lies inside the larger; cut it out of the larger one, unless it is a part of it</source>
+        <translation>espaços “%1” e “%2”: o menor fica dentro do maior; recorte-o do maior, a não ser que faça parte dele</translation>
+    </message>
+    <message>
+        <source>regions &quot;%1&quot; and &quot;%2&quot; overlap by %3 % of the smaller; draw the border between them</source>
+        <translation>os espaços “%1” e “%2” sobrepõem-se em %3&#xa0;% do menor; desenhe a fronteira entre eles</translation>
+    </message>
+    <message>
+        <source>so many regions overlap that not all pairs were compared; are all levels drawn on one?</source>
+        <translation>há tantos espaços que se sobrepõem que nem todos os pares foram comparados; estarão todos os pisos desenhados num só?</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n regions of level %1 have the ref &quot;%2&quot;: people are led to the wrong one; correct it</source>
+        <translation>
+            <numerusform>%n espaço do piso %1 tem o número “%2”: as pessoas são levadas ao errado; corrija-o</numerusform>
+            <numerusform>%n espaços do piso %1 têm o número “%2”: as pessoas são levadas ao errado; corrija-o</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the whole building is smaller than 0.3 m: its coordinates are degrees, not metres; import or reproject it</source>
+        <translation>todo o edifício tem menos de 0,3&#xa0;m: as suas coordenadas são graus, não metros; importe-o ou reprojete-o</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n regions have no door or other access that joins another region: nobody can be led there; add it</source>
+        <translation>
+            <numerusform>%n espaço não tem porta nem outra passagem para outro espaço: ninguém pode ser levado lá; junte-a</numerusform>
+            <numerusform>%n espaços não têm porta nem outra passagem para outro espaço: ninguém pode ser levado lá; junte-a</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n regions have a door drawn on the border, but the door joins two others and nothing leads there: correct region_a or region_b, or draw another door</source>
+        <translation>
+            <numerusform>%n espaço tem uma porta desenhada na fronteira, mas ela liga outros dois e nada leva lá: corrija um dos lados (region_a ou region_b) ou desenhe outra porta</numerusform>
+            <numerusform>%n espaços têm uma porta desenhada na fronteira, mas ela liga outros dois e nada leva lá: corrija um dos lados (region_a ou region_b) ou desenhe outra porta</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>features had no id and were given one</source>
+        <translation>havia elementos sem identificador, que receberam um</translation>
+    </message>
+    <message>
+        <source>features shared an id and were given another</source>
+        <translation>havia elementos com o mesmo identificador, que receberam outro</translation>
+    </message>
+    <message>
+        <source>outlines have corners that are no places; these were left out</source>
+        <translation>há contornos com cantos que não são lugares; esses foram deixados de fora</translation>
+    </message>
+    <message>
+        <source>outlines have fewer than three corners; the regions were left out</source>
+        <translation>há contornos com menos de três cantos; esses espaços foram deixados de fora</translation>
+    </message>
+    <message>
+        <source>outlines have more than 200,000 corners; the regions were left out</source>
+        <translation>há contornos com mais de 200&#xa0;000 cantos; esses espaços foram deixados de fora</translation>
+    </message>
+    <message>
+        <source>outlines enclose no area; the regions were left out</source>
+        <translation>há contornos que não encerram nenhuma área; esses espaços foram deixados de fora</translation>
+    </message>
+    <message>
+        <source>outlines crossed or touched themselves and were mended: compare them with the plan</source>
+        <translation>havia contornos que se cruzavam ou tocavam a si próprios e foram corrigidos: compare-os com a planta</translation>
+    </message>
+    <message>
+        <source>regions fell into several parts: each part is a region of its own</source>
+        <translation>havia espaços em várias partes: cada parte é agora um espaço próprio</translation>
+    </message>
+    <message>
+        <source>regions repeat the outline of another one on their level and were merged with it</source>
+        <translation>há espaços que repetem o contorno de outro do mesmo piso e foram unidos a ele</translation>
+    </message>
+    <message>
+        <source>accesses have points that are no places; these were left out</source>
+        <translation>há passagens com pontos que não são lugares; esses foram deixados de fora</translation>
+    </message>
+    <message>
+        <source>accesses have no place on the map and were left out</source>
+        <translation>há passagens sem lugar no mapa, que foram deixadas de fora</translation>
+    </message>
+    <message>
+        <source>landmarks have no place on the map and were left out</source>
+        <translation>há pontos de referência sem lugar no mapa, que foram deixados de fora</translation>
+    </message>
+    <message>
+        <source>levels are no floors of a building; level 0 is assumed</source>
+        <translation>há pisos que não são pisos de um edifício; supõe-se o piso 0</translation>
+    </message>
+    <message>
+        <source>levels stand twice in the source; the first name is kept</source>
+        <translation>há pisos que aparecem duas vezes na origem; fica o primeiro nome</translation>
+    </message>
+    <message>
+        <source>regions had no name and were given one from kind and number, such as &quot;Corridor 3&quot;: rename them</source>
+        <translation>havia espaços sem nome, que receberam um feito do tipo e de um número, como “Corridor 3”: dê-lhes outro</translation>
+    </message>
+    <message>
+        <source>landmarks lie outside every region and were given to the nearest one</source>
+        <translation>há pontos de referência fora de todos os espaços, que ficaram no mais próximo</translation>
+    </message>
+    <message>
+        <source>openings were added where regions meet without a wall between them</source>
+        <translation>foram postas aberturas onde há espaços que se tocam sem parede entre eles</translation>
+    </message>
+    <message>
+        <source>accesses are drawn on fewer than two regions</source>
+        <translation>há passagens desenhadas em menos de dois espaços</translation>
+    </message>
+    <message>
+        <source>accesses lie beside more than two regions; the two with the widest border were taken: see that they are right</source>
+        <translation>há passagens junto a mais de dois espaços; foram tomados os dois com a fronteira mais larga: veja se são os certos</translation>
+    </message>
+    <message>
+        <source>accesses run from one region to another and along no border: if one walks along the line, set region_a and region_b</source>
+        <translation>há passagens que vão de um espaço a outro e não seguem nenhuma fronteira: se se anda ao longo da linha, indique o espaço de cada lado (region_a e region_b)</translation>
+    </message>
+    <message>
+        <source>stairs, lifts or escalators lead to a level that nothing names: set region_b, or give them and their other end the same shaft</source>
+        <translation>há escadas, elevadores ou escadas rolantes que levam a um piso que nada indica: indique o espaço do outro lado (region_b), ou dê-lhes a mesma caixa (shaft) que à outra ponta</translation>
+    </message>
+    <message>
+        <source>upper ends of stairs, lifts or escalators were left out: their lower ends lead there already</source>
+        <translation>foram deixadas de fora pontas de cima de escadas, elevadores ou escadas rolantes: as de baixo já levam lá</translation>
+    </message>
+    <message>
+        <source>links between levels name regions that do not exist</source>
+        <translation>há ligações entre pisos que indicam espaços que não existem</translation>
+    </message>
+    <message>
+        <source>stairs, lifts or escalators were joined with the ones above them, because their outlines overlap</source>
+        <translation>foram ligadas escadas, elevadores ou escadas rolantes às que estão por cima, porque os contornos se sobrepõem</translation>
+    </message>
+    <message>
+        <source>the coordinate reference system of the source cannot be understood</source>
+        <translation>não se entende o sistema de coordenadas da origem</translation>
+    </message>
+    <message>
+        <source>the source names a CRS in metres, but its coordinates are degrees: they are taken as WGS 84</source>
+        <translation>a origem indica um sistema de coordenadas em metros, mas as suas coordenadas são graus: são tomadas como WGS 84</translation>
+    </message>
+    <message>
+        <source>the source names no CRS; its coordinates look like degrees and are taken as WGS 84</source>
+        <translation>a origem não indica o sistema de coordenadas; elas parecem graus e são tomadas como WGS 84</translation>
+    </message>
+    <message>
+        <source>the source names a CRS in degrees, but its coordinates are not: they are taken as metres of a local plane</source>
+        <translation>a origem indica um sistema de coordenadas em graus, mas as suas coordenadas não o são: são tomadas como metros de um plano local</translation>
+    </message>
+    <message>
+        <source>the source names no CRS: its coordinates are taken as metres of a local plane; name the CRS if there is one</source>
+        <translation>a origem não indica o sistema de coordenadas: são tomadas como metros de um plano local; indique o sistema, se houver</translation>
+    </message>
+    <message>
+        <source>north and east stand in each other&apos;s place in the source: they were exchanged; export it again to be sure</source>
+        <translation>norte e este estão trocados na origem: foram postos no seu lugar; exporte-a outra vez para ter a certeza</translation>
+    </message>
+    <message>
+        <source>coordinates were brought from %1 to %2, in metres</source>
+        <translation>as coordenadas foram passadas de %1 para %2, em metros</translation>
+    </message>
+    <message>
+        <source>coordinates were brought from the source&apos;s CRS to %1, in metres</source>
+        <translation>as coordenadas foram passadas do sistema da origem para %1, em metros</translation>
+    </message>
+    <message>
+        <source>layers hold no rooms, doors, walls or points by their name; a profile can say otherwise</source>
+        <translation>há camadas que, pelo nome, não têm salas, portas, paredes nem pontos; um perfil pode dizer o contrário</translation>
+    </message>
+    <message>
+        <source>features cannot be brought to the CRS of the other layers</source>
+        <translation>há elementos que não se conseguem passar para o sistema de coordenadas das outras camadas</translation>
+    </message>
+    <message>
+        <source>layers tell no level; the ground floor is assumed: name the field that holds the level</source>
+        <translation>há camadas que não dizem o piso; supõe-se o rés do chão: indique o campo que tem o piso</translation>
+    </message>
+    <message>
+        <source>levels were counted from the heights of the shapes, the one nearest to 0 as the ground floor</source>
+        <translation>os pisos foram contados pelas alturas das formas, o mais próximo de 0 como rés do chão</translation>
+    </message>
+    <message>
+        <source>lines of layers that nothing names doors or walls are taken as walls; name the layer or give a profile</source>
+        <translation>as linhas de camadas que nada indica como portas ou paredes são tomadas como paredes; dê nome à camada ou indique um perfil</translation>
+    </message>
+    <message>
+        <source>features have no geometry and were left out</source>
+        <translation>há elementos sem forma, que foram deixados de fora</translation>
+    </message>
+    <message>
+        <source>features have the code &quot;%1&quot;, which nobody knows: name it under codes in a profile</source>
+        <translation>há elementos com o código “%1”, que ninguém conhece: indique-o num perfil, em “codes”</translation>
+    </message>
+    <message>
+        <source>accesses have a direction that nobody knows and are taken to be passed both ways: a_to_b, b_to_a, up or down is wanted</source>
+        <translation>há passagens com um sentido que ninguém conhece, tomadas como de dois sentidos: quer-se a_to_b, b_to_a, up ou down</translation>
+    </message>
+    <message>
+        <source>points name a region that does not exist; the one they lie in is taken</source>
+        <translation>há pontos que indicam um espaço que não existe; toma-se aquele em que ficam</translation>
+    </message>
+    <message>
+        <source>layers have no features: %1</source>
+        <translation>há camadas sem elementos: %1</translation>
+    </message>
+    <message>
+        <source>layers name no CRS; that of the other layers is taken</source>
+        <translation>há camadas que não indicam o sistema de coordenadas; toma-se o das outras camadas</translation>
+    </message>
+    <message>
+        <source>features left out: their coordinates are missing or no places on Earth</source>
+        <translation>elementos deixados de fora: as suas coordenadas faltam ou não são lugares na Terra</translation>
+    </message>
+    <message>
+        <source>features left out: they have no usable shape</source>
+        <translation>elementos deixados de fora: não têm forma utilizável</translation>
+    </message>
+    <message>
+        <source>the value of level or repeat_on is no list of levels such as -1;0 or 1-3: correct it</source>
+        <translation>o valor de level ou repeat_on não é uma lista de pisos como -1;0 ou 1-3: corrija-o</translation>
+    </message>
+    <message>
+        <source>there is no readable level; level 0 is assumed: add the level</source>
+        <translation>não há nenhum piso legível; supõe-se o piso 0: indique o piso (level)</translation>
+    </message>
+    <message>
+        <source>the lift is a point in the source: a square of 1.6 m was drawn for its car</source>
+        <translation>o elevador é um ponto na origem: desenhou-se um quadrado de 1,6&#xa0;m para a cabina</translation>
+    </message>
+    <message>
+        <source>left out: it has no level, and it stands over no or several levels&apos; regions</source>
+        <translation>deixado de fora: não tem piso, e fica sobre espaços de vários pisos ou de nenhum</translation>
+    </message>
+    <message>
+        <source>left out: no region of its level lies within 3 m</source>
+        <translation>deixado de fora: não há nenhum espaço do seu piso a menos de 3&#xa0;m</translation>
+    </message>
+    <message>
+        <source>left out: it has no level and stands on no outline of a region</source>
+        <translation>deixada de fora: não tem piso e não está no contorno de nenhum espaço</translation>
+    </message>
+    <message>
+        <source>no door is drawn where a way leads into the room: an opening was put there</source>
+        <translation>não há porta desenhada onde um caminho entra na sala: foi lá posta uma abertura</translation>
+    </message>
+    <message>
+        <source>nothing tells which end of the steps is up; the first was taken as the lower: add incline</source>
+        <translation>nada diz que ponta dos degraus fica em cima; a primeira foi tomada como a de baixo: indique incline</translation>
+    </message>
+    <message>
+        <source>no region lies at an end of the steps: draw the area or way it leads to</source>
+        <translation>não há nenhum espaço numa das pontas dos degraus: desenhe a área ou o caminho a que levam</translation>
+    </message>
+    <message>
+        <source>steps left out: their line has no length</source>
+        <translation>degraus deixados de fora: a sua linha não tem comprimento</translation>
+    </message>
+    <message>
+        <source>nothing tells which way the walkway runs; it is taken to run both ways: set conveying to forward or backward</source>
+        <translation>nada diz em que sentido anda a passadeira rolante; supõe-se que nos dois: indique forward ou backward em conveying</translation>
+    </message>
+    <message>
+        <source>no region lies at an end of the walkway: draw the area or way it leads to</source>
+        <translation>não há nenhum espaço numa das pontas da passadeira rolante: desenhe a área ou o caminho a que leva</translation>
+    </message>
+    <message>
+        <source>the lift has no drawn door; one was put on a side that is open: move it to its place</source>
+        <translation>o elevador não tem porta desenhada; foi posta uma num lado aberto: mova-a para o seu lugar</translation>
+    </message>
+    <message>
+        <source>features of the type %1 have no place in a building file</source>
+        <translation>os elementos do tipo %1 não têm lugar num ficheiro de edifício</translation>
+    </message>
+    <message>
+        <source>levels have no ordinal; they are taken as the ground floor</source>
+        <translation>há pisos sem ordinal, tomados como rés do chão</translation>
+    </message>
+    <message>
+        <source>features name a level that does not exist; the ground floor is assumed</source>
+        <translation>há elementos que indicam um piso que não existe; supõe-se o rés do chão</translation>
+    </message>
+    <message>
+        <source>units have a category that IMDF 1.0 does not list; they are taken as rooms</source>
+        <translation>há unidades com uma categoria que o IMDF 1.0 não lista, tomadas como salas</translation>
+    </message>
+    <message>
+        <source>units are walls, columns or voids: they became walls</source>
+        <translation>há unidades que são paredes, colunas ou vazios: ficaram paredes</translation>
+    </message>
+    <message>
+        <source>units have no outline and were left out</source>
+        <translation>há unidades sem contorno, que foram deixadas de fora</translation>
+    </message>
+    <message>
+        <source>occupants have no anchor in a unit and were left out</source>
+        <translation>há ocupantes sem âncora numa unidade, que foram deixados de fora</translation>
+    </message>
+    <message>
+        <source>openings are emergency exits, for vehicles or out of service: nobody is led through them</source>
+        <translation>há aberturas que são saídas de emergência, para veículos ou fora de serviço: ninguém é levado por elas</translation>
+    </message>
+    <message>
+        <source>openings have no line and were left out</source>
+        <translation>há aberturas sem linha, que foram deixadas de fora</translation>
+    </message>
+    <message>
+        <source>amenities have no point and were left out</source>
+        <translation>há serviços sem ponto, que foram deixados de fora</translation>
+    </message>
+    <message>
+        <source>amenities name no unit that tells their level and were left out</source>
+        <translation>há serviços que não indicam nenhuma unidade que diga o piso, e foram deixados de fora</translation>
+    </message>
+    <message>
+        <source>relationships do not name two units and were left out</source>
+        <translation>há relações que não indicam duas unidades, e foram deixadas de fora</translation>
+    </message>
+    <message>
+        <source>the name of the coordinate system is not known; a local plane in metres is assumed</source>
+        <translation>o nome do sistema de coordenadas não é conhecido; supõe-se um plano local em metros</translation>
+    </message>
+    <message>
+        <source>cells left out: they have no outline, no id, or the id of another</source>
+        <translation>células deixadas de fora: não têm contorno nem identificador, ou têm o de outra</translation>
+    </message>
+    <message>
+        <source>transitions left out: they do not connect two cells that are there</source>
+        <translation>transições deixadas de fora: não ligam duas células que existam</translation>
+    </message>
+    <message>
+        <source>storeys are named by words; levels were taken from the heights</source>
+        <translation>os pisos são nomeados por palavras; foram tirados das alturas</translation>
+    </message>
+    <message>
+        <source>nothing tells the levels: all is taken as level 0; name the field that holds the level</source>
+        <translation>nada diz os pisos: tudo é tomado como piso 0; indique o campo que tem o piso</translation>
+    </message>
+    <message>
+        <source>levels were counted from the heights of the floors</source>
+        <translation>os pisos foram contados pelas alturas do chão</translation>
+    </message>
+    <message>
+        <source>the door&apos;s cell does not lie between two rooms: it stays a region</source>
+        <translation>a célula da porta não fica entre duas salas: continua a ser um espaço</translation>
+    </message>
+    <message>
+        <source>features left out: they are no node, link, facility or entrance</source>
+        <translation>elementos deixados de fora: não são nó, ligação, serviço nem entrada</translation>
+    </message>
+    <message>
+        <source>the network has no areas: each node became a region of strips along its links, cut half-way, and each facility a square of 2 m behind its entrance</source>
+        <translation>a rede não tem áreas: de cada nó fez-se um espaço com faixas ao longo das suas ligações, cortadas a meio, e de cada serviço um quadrado de 2&#xa0;m atrás da sua entrada</translation>
+    </message>
+    <message>
+        <source>floor 0 is taken as the ground floor; import it with the level from 1 when it is floor 1</source>
+        <translation>o piso 0 é tomado como rés do chão; importe com o piso a partir de 1, se for o piso 1</translation>
+    </message>
+    <message>
+        <source>floor 1 is taken as the ground floor; import it with the level from 0 when it is floor 0</source>
+        <translation>o piso 1 é tomado como rés do chão; importe com o piso a partir de 0, se for o piso 0</translation>
+    </message>
+    <message>
+        <source>nodes left out: they have no place, no id, or the id of another</source>
+        <translation>nós deixados de fora: não têm lugar nem identificador, ou têm o de outro</translation>
+    </message>
+    <message>
+        <source>nodes without a floor are taken to be on the ground</source>
+        <translation>os nós sem piso são tomados como do rés do chão</translation>
+    </message>
+    <message>
+        <source>links left out: they do not join two nodes that are there</source>
+        <translation>ligações deixadas de fora: não ligam dois nós que existam</translation>
+    </message>
+    <message>
+        <source>no link leads to the node</source>
+        <translation>nenhuma ligação leva ao nó</translation>
+    </message>
+    <message>
+        <source>no entrance with a known node leads to the facility: it became a landmark</source>
+        <translation>nenhuma entrada com um nó conhecido leva ao serviço: ficou um ponto de referência</translation>
+    </message>
+    <message>
+        <source>the facility of the entrance is missing</source>
+        <translation>falta o serviço da entrada</translation>
+    </message>
+    <message>
+        <source>left out: it lies more than 20 m from every node of its floor</source>
+        <translation>deixado de fora: fica a mais de 20&#xa0;m de todos os nós do seu piso</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n spaces were closed from walls, doors and windows; they have no names, and whether they are rooms, corridors or halls is a guess from their doors and size</source>
+        <translation>
+            <numerusform>fechou-se %n espaço a partir de paredes, portas e janelas; não tem nome, e se é sala, corredor ou átrio é um palpite pelas portas e pelo tamanho</numerusform>
+            <numerusform>fecharam-se %n espaços a partir de paredes, portas e janelas; não têm nome, e se são salas, corredores ou átrios é um palpite pelas portas e pelo tamanho</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>strips under 0.3 m between walls were left out</source>
+        <translation>tiras com menos de 0,3&#xa0;m entre paredes foram deixadas de fora</translation>
+    </message>
+    <message>
+        <source>no space lies on one side of the door: it leads outside, or a wall is missing</source>
+        <translation>de um dos lados da porta não há espaço: dá para fora, ou falta uma parede</translation>
+    </message>
+    <message>
+        <source>%1, layer %2</source>
+        <translation>%1, camada %2</translation>
+    </message>
+</context>
+<context>
     <name>farol::Options</name>
     <message>
         <source>%1 needs a number above 0, not “%2”</source>
@@ -739,10 +1311,6 @@
     <message>
         <source>What was found</source>
         <translation>O que foi encontrado</translation>
-    </message>
-    <message>
-        <source>In English: %1</source>
-        <translation>Em inglês: %1</translation>
     </message>
     <message>
         <source>How many</source>

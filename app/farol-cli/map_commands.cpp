@@ -32,7 +32,11 @@ int checkMap(const std::string& map, bool json) {
         bool ofTheFile = error.code == ErrorCode::Corrupt || error.code == ErrorCode::UnsupportedFormat;
         if (!json || !ofTheFile) return report(error);
         report(error);
-        findings = {{Severity::Error, "file-readable", error.text(), "", {}}};
+        Finding unreadable; // said by the reader, not by a check
+        unreadable.severity = Severity::Error;
+        unreadable.rule = "file-readable";
+        unreadable.message = error.text();
+        findings.push_back(std::move(unreadable));
     }
     if (json)
         printLine(session::dumped(findingsDocument(findings)));

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
+#include <utility>
 
 namespace farol::building {
 
@@ -14,43 +16,41 @@ namespace {
 
 using Findings = std::vector<Finding>;
 
-std::string quoted(const std::string& id) {
-    return "\"" + id + "\"";
-}
-
-std::string counted(std::size_t count, const std::string& one, const std::string& many) {
-    return std::to_string(count) + " " + (count == 1 ? one : many);
-}
-
 bool sameLevel(double a, double b) {
     return std::abs(a - b) < 1e-6;
 }
 
-/// What makes the ring no outline, or nothing.
-std::string ringFault(const Ring& ring) {
-    if (ring.size() < 3) return "has fewer than three corners";
-    if (!std::all_of(ring.begin(), ring.end(), isFinite)) return "has a coordinate that is no number";
-    if (std::abs(signedArea(ring)) < 1e-6) return "has no area";
-    if (ring.size() > 200)
-        return crossesItself({ring, {}}) ? "crosses itself" : ""; // the pairs below would take long
+/// What makes a ring no outline, as it is said of an outline and of a hole in one.
+struct RingFaults {
+    Sentence corners, numbers, area, crosses;
+};
+constexpr RingFaults kOutline{Sentence::OutlineCorners, Sentence::OutlineNumbers, Sentence::OutlineArea,
+                              Sentence::OutlineCrosses};
+constexpr RingFaults kHole{Sentence::HoleCorners, Sentence::HoleNumbers, Sentence::HoleArea,
+                           Sentence::HoleCrosses};
+
+std::optional<Sentence> ringFault(const Ring& ring, const RingFaults& faults) {
+    if (ring.size() < 3) return faults.corners;
+    if (!std::all_of(ring.begin(), ring.end(), isFinite)) return faults.numbers;
+    if (std::abs(signedArea(ring)) < 1e-6) return faults.area;
+    if (ring.size() > 200) // the pairs below would take long
+        return crossesItself({ring, {}}) ? std::optional(faults.crosses) : std::nullopt;
     for (std::size_t i = 0; i < ring.size(); ++i)
         for (std::size_t j = i + 2; j < ring.size(); ++j)
             if (segmentsCross(ring[i], ring[i + 1], ring[j], ring[(j + 1) % ring.size()]))
-                return "crosses itself";
-    return {};
+                return faults.crosses;
+    return std::nullopt;
 }
 
-std::string polygonFault(const Polygon& polygon) {
-    std::string fault = ringFault(polygon.outer);
-    if (!fault.empty()) return fault;
+std::optional<Sentence> polygonFault(const Polygon& polygon) {
+    if (auto fault = ringFault(polygon.outer, kOutline)) return fault;
     for (const Ring& hole : polygon.holes) {
-        std::string inner = ringFault(hole);
-        if (!inner.empty()) return "has a hole that " + inner;
+        if (auto fault = ringFault(hole, kHole)) return fault;
         Polygon outer{polygon.outer, {}};
         if (!std::all_of(hole.begin(), hole.end(), [&](Point2 p) { return contains(outer, p); }))
-            return "has a hole that lies outside it";
+            return Sentence::HoleOutside;
     }
-    return {};
+    return std::nullopt;
 }
 
 template <class Items>
@@ -59,18 +59,11 @@ void checkUnique(const Items& items, const std::string& layer, const std::string
     for (const auto& item : items) ++counts[item.id.value];
     for (const auto& [id, count] : counts) {
         if (id.empty()) {
-            findings.push_back({Severity::Error,
-                                word + "-id-unique",
-                                counted(count, "feature has", "features have") + " no id; give each its own",
-                                layer,
-                                {}});
+            findings.push_back(
+                {Severity::Error, word + "-id-unique", counted(Sentence::IdMissing, count), layer, {}});
         } else if (count > 1) {
             findings.push_back(
-                {Severity::Error,
-                 word + "-id-unique",
-                 std::to_string(count) + " features" + " share the id " + quoted(id) + "; give each its own",
-                 layer,
-                 {id}});
+                {Severity::Error, word + "-id-unique", counted(Sentence::IdShared, count, id), layer, {id}});
         }
     }
 }
@@ -79,43 +72,39 @@ void checkRegions(const Building& building, Findings& findings) {
     std::vector<std::string> unnamed, unsayable;
     std::string example;
     for (const Region& region : building.regions()) {
-        std::string fault = polygonFault(region.polygon);
-        if (!fault.empty())
-            findings.push_back(
-                {Severity::Error,
-                 "region-polygon-valid",
-                 "the outline of region " + quoted(region.id.value) + " " + fault + "; draw it again",
-                 "regions",
-                 {region.id.value}});
+        if (auto fault = polygonFault(region.polygon))
+            findings.push_back({Severity::Error,
+                                "region-polygon-valid",
+                                said(*fault, region.id.value),
+                                "regions",
+                                {region.id.value}});
         if (region.name.empty() && region.ref.empty()) unnamed.push_back(region.id.value);
         if (!region.name.empty() && !isSayable(region.name)) {
-            if (unsayable.empty()) example = quoted(region.name);
+            if (unsayable.empty()) example = region.name;
             unsayable.push_back(region.id.value);
         }
     }
     if (!unnamed.empty())
-        findings.push_back({Severity::Note, "region-named",
-                            counted(unnamed.size(), "region has", "regions have") +
-                                " neither name nor ref: only its kind is spoken",
+        findings.push_back({Severity::Note, "region-named", counted(Sentence::RegionsUnnamed, unnamed.size()),
                             "regions", unnamed});
     if (!unsayable.empty())
         findings.push_back({Severity::Note, "region-name-sayable",
-                            counted(unsayable.size(), "region is", "regions are") + " called " + example +
-                                (unsayable.size() > 1 ? " or the like" : "") +
-                                ", which is never spoken; give it the name that people use",
-                            "regions", unsayable});
+                            counted(Sentence::RegionsUnsayable, unsayable.size(), example), "regions",
+                            unsayable});
 }
 
 void checkLevels(const Building& building, Findings& findings) {
-    std::map<std::string, std::vector<std::string>> missing;
-    for (const Region& region : building.regions())
-        if (building.level(region.level) == nullptr)
-            missing[formatNumber(region.level)].push_back(region.id.value);
-    for (const auto& [level, ids] : missing)
+    std::map<std::string, std::pair<double, std::vector<std::string>>> missing;
+    for (const Region& region : building.regions()) {
+        if (building.level(region.level) != nullptr) continue;
+        auto& [level, ids] = missing[formatNumber(region.level)];
+        level = region.level;
+        ids.push_back(region.id.value);
+    }
+    for (const auto& [text, used] : missing)
         findings.push_back({Severity::Warning, "level-listed",
-                            "level " + level + " is used by " + counted(ids.size(), "region", "regions") +
-                                " but is not in the layer levels: its name cannot be spoken; add it",
-                            "levels", ids});
+                            counted(Sentence::LevelUnlisted, used.second.size(), used.first), "levels",
+                            used.second});
 }
 
 /// How far the access lies from a region it names, on the region's level.
@@ -125,87 +114,70 @@ bool touches(const Access& access, const Region& region) {
 }
 
 void checkAccess(const Building& building, const Access& access, Findings& findings) {
-    std::string name = "access " + quoted(access.id.value);
-    std::vector<std::string> ids{access.id.value};
+    const std::string& id = access.id.value;
+    std::vector<std::string> ids{id};
     bool complete = true;
     for (const RegionId* side : {&access.regionA, &access.regionB}) {
         complete = complete && !side->empty();
         const Region* region = building.region(*side);
         if (side->empty()) continue;
         if (region == nullptr)
-            findings.push_back(
-                {Severity::Error, "access-regions-exist",
-                 name + " names the region " + quoted(side->value) + ", which does not exist; correct it",
-                 "accesses", ids});
+            findings.push_back({Severity::Error, "access-regions-exist",
+                                said(Sentence::AccessRegionMissing, id, side->value), "accesses", ids});
         else if (!touches(access, *region))
-            findings.push_back(
-                {Severity::Warning, "access-touches-regions",
-                 name + " lies more than 1 m from region " + quoted(side->value) + "; move it to the border",
-                 "accesses", ids});
+            findings.push_back({Severity::Warning, "access-touches-regions",
+                                said(Sentence::AccessFarFromRegion, id, side->value), "accesses", ids});
     }
     if (!complete || access.regionA == access.regionB)
-        findings.push_back({Severity::Warning, "access-joins-two-regions",
-                            name +
-                                (access.regionA == access.regionB && !access.regionA.empty()
-                                     ? " has the same region on both sides"
-                                     : " does not join two regions") +
-                                ": no route passes it; set region_a and region_b, or move it to a border",
-                            "accesses", ids});
+        findings.push_back(
+            {Severity::Warning, "access-joins-two-regions",
+             said(access.regionA == access.regionB && !access.regionA.empty() ? Sentence::AccessSameSides
+                                                                              : Sentence::AccessJoinsNone,
+                  id),
+             "accesses", ids});
     const Region* a = building.region(access.regionA);
     const Region* b = building.region(access.regionB);
     if (a != nullptr && b != nullptr && !access.changesLevel() && access.kind != AccessKind::Ramp &&
         !sameLevel(a->level, b->level))
         findings.push_back({Severity::Error, "access-level-change",
-                            name + " is no stairs, lift, escalator or ramp but joins regions of levels " +
-                                formatNumber(a->level) + " and " + formatNumber(b->level) +
-                                "; correct its kind or regions",
-                            "accesses", ids});
+                            said(Sentence::AccessChangesLevel, id, a->level, b->level), "accesses", ids});
 }
 
 void checkLandmarks(const Building& building, Findings& findings) {
     for (const Landmark& landmark : building.landmarks()) {
-        std::string name = "landmark " + quoted(landmark.id.value);
-        std::vector<std::string> ids{landmark.id.value};
+        const std::string& id = landmark.id.value;
+        std::vector<std::string> ids{id};
         const Region* region = building.region(landmark.region);
         if (region == nullptr) {
             findings.push_back({Severity::Error, "landmark-region-exists",
                                 landmark.region.empty()
-                                    ? name + " belongs to no region; set region_id"
-                                    : name + " names the region " + quoted(landmark.region.value) +
-                                          ", which does not exist; correct it",
+                                    ? said(Sentence::LandmarkNoRegion, id)
+                                    : said(Sentence::LandmarkRegionMissing, id, landmark.region.value),
                                 "landmarks", ids});
         } else if (!sameLevel(region->level, landmark.level)) {
-            findings.push_back({Severity::Warning, "landmark-inside-region",
-                                name + " is on level " + formatNumber(landmark.level) + ", its region " +
-                                    quoted(region->id.value) + " on level " + formatNumber(region->level),
-                                "landmarks", ids});
+            findings.push_back(
+                {Severity::Warning, "landmark-inside-region",
+                 said(Sentence::LandmarkOtherLevel, id, landmark.level, region->id.value, region->level),
+                 "landmarks", ids});
         } else if (region->polygon.outer.size() >= 3 &&
                    distanceToPolygon(region->polygon, landmark.position) > 0.5) {
             findings.push_back({Severity::Warning, "landmark-inside-region",
-                                name + " lies more than 0.5 m outside its region " +
-                                    quoted(region->id.value) + "; move it or correct region_id",
-                                "landmarks", ids});
+                                said(Sentence::LandmarkOutside, id, region->id.value), "landmarks", ids});
         }
     }
 }
 
 template <class Items, class KindType>
-void checkKinds(const Items& items, KindType other, const std::string& layer, const std::string& words,
+void checkKinds(const Items& items, KindType other, const std::string& layer, Argument::Is known,
                 Findings& findings) {
+    Sentence sentence =
+        known == Argument::Is::AccessKinds ? Sentence::AccessKindUnknown : Sentence::KindUnknown;
     std::map<std::string, std::vector<std::string>> unknown;
     for (const auto& item : items)
         if (item.kind == other && !item.kindText.empty()) unknown[item.kindText].push_back(item.id.value);
     for (const auto& [kind, ids] : unknown)
-        findings.push_back({Severity::Warning, "kind-known",
-                            counted(ids.size(), "feature has", "features have") + " the unknown kind " +
-                                quoted(kind) + "; known are " + words,
-                            layer, ids});
-}
-
-std::string landmarkKindWords() {
-    std::string words;
-    for (Kind kind : allKinds()) words += (words.empty() ? "" : ", ") + std::string(kindName(kind));
-    return words;
+        findings.push_back(
+            {Severity::Warning, "kind-known", counted(sentence, ids.size(), kind, known), layer, ids});
 }
 
 void checkConnected(const Building& building, Findings& findings) {
@@ -214,12 +186,10 @@ void checkConnected(const Building& building, Findings& findings) {
     std::vector<std::string> apart;
     for (std::size_t i = 1; i < parts.size(); ++i)
         for (std::size_t region : parts[i]) apart.push_back(building.regions()[region].id.value);
-    findings.push_back(
-        {Severity::Warning, "regions-connected",
-         "the building falls into " + std::to_string(parts.size()) + " parts; " +
-             counted(apart.size(), "region cannot", "regions cannot") + " be reached from the largest (" +
-             counted(parts.front().size(), "region", "regions") + "): accesses are missing or closed",
-         "regions", apart});
+    findings.push_back({Severity::Warning, "regions-connected",
+                        counted(Sentence::BuildingInParts, apart.size(), static_cast<double>(parts.size()),
+                                counted(Sentence::CountedRegions, parts.front().size())),
+                        "regions", apart});
 }
 
 } // namespace
@@ -239,13 +209,9 @@ std::vector<Finding> checkBuilding(const Building& building) {
     checkLevels(building, findings);
     for (const Access& access : building.accesses()) checkAccess(building, access, findings);
     checkLandmarks(building, findings);
-    checkKinds(building.regions(), RegionKind::Other, "regions",
-               "room, corridor, hall, stairwell, elevator, toilet, outside, other", findings);
-    checkKinds(
-        building.accesses(), AccessKind::Other, "accesses",
-        "door, opening, stairs, elevator, escalator, ramp, window, other (nobody is led through other)",
-        findings);
-    checkKinds(building.landmarks(), Kind::Other, "landmarks", landmarkKindWords(), findings);
+    checkKinds(building.regions(), RegionKind::Other, "regions", Argument::Is::RegionKinds, findings);
+    checkKinds(building.accesses(), AccessKind::Other, "accesses", Argument::Is::AccessKinds, findings);
+    checkKinds(building.landmarks(), Kind::Other, "landmarks", Argument::Is::LandmarkKinds, findings);
     checkConnected(building, findings);
     std::stable_sort(findings.begin(), findings.end(),
                      [](const Finding& a, const Finding& b) { return a.severity < b.severity; });

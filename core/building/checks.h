@@ -2,8 +2,10 @@
 // What is wrong with a map, in words a curator can act on.
 
 #include "core/building/building.h"
+#include "core/building/sentence.h"
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace farol::building {
@@ -11,13 +13,23 @@ namespace farol::building {
 enum class Severity { Error, Warning, Note };
 
 /// `rule` is stable ("access-joins-two-regions"); `ids` name the features of `layer`; `message` says what is
-/// wrong and what to do.
+/// wrong and what to do. It is `said` in English, and never made otherwise.
 struct Finding {
+    Finding() = default;
+    Finding(Severity how, std::string which, Message what, std::string where, std::vector<std::string> whom)
+        : severity(how),
+          rule(std::move(which)),
+          message(what.english()),
+          layer(std::move(where)),
+          ids(std::move(whom)),
+          said(std::move(what)) {}
+
     Severity severity = Severity::Note;
     std::string rule;
     std::string message;
     std::string layer;
     std::vector<std::string> ids;
+    Message said;
 };
 
 std::string severityName(Severity severity);

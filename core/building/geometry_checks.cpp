@@ -27,10 +27,6 @@ constexpr std::size_t kMostPairsEach = 20;
 /// As near as this a door is drawn on a region.
 constexpr double kOnBorderM = 0.1;
 
-std::string quoted(const std::string& id) {
-    return "\"" + id + "\"";
-}
-
 double perimeter(const Ring& ring) {
     double sum = ring.empty() ? 0.0 : distance(ring.back(), ring.front());
     return sum + length(Polyline(ring));
@@ -41,10 +37,6 @@ double meanWidth(const Polygon& polygon) {
     double around = perimeter(polygon.outer);
     for (const Ring& hole : polygon.holes) around += perimeter(hole);
     return around > 0.0 ? 2.0 * area(polygon) / around : 0.0;
-}
-
-std::string percent(double share) {
-    return std::to_string(static_cast<int>(std::lround(share * 100.0))) + " %";
 }
 
 class OverlapCheck {
@@ -66,11 +58,7 @@ public:
         }
         if (left == 0)
             m_findings.push_back(
-                {Severity::Warning,
-                 "region-overlap",
-                 "so many regions overlap that not all pairs were compared; are all levels drawn on one?",
-                 "regions",
-                 {}});
+                {Severity::Warning, "region-overlap", Sentence::OverlapsTooMany, "regions", {}});
     }
 
 private:
@@ -91,22 +79,18 @@ private:
     }
 
     void tell(const Region& a, const Region& b, double share, double ratio) {
-        std::string names = "regions " + quoted(a.id.value) + " and " + quoted(b.id.value);
         std::vector<std::string> ids{a.id.value, b.id.value};
         if (share > kInsideShare && ratio > kInsideShare)
             m_findings.push_back({Severity::Warning, "region-duplicate",
-                                  names + " have the same outline; remove one", "regions", ids});
+                                  said(Sentence::RegionsAlike, a.id.value, b.id.value), "regions", ids});
         else if (share > kInsideShare)
-            m_findings.push_back(
-                {Severity::Note, "region-inside",
-                 names + ": the smaller lies inside the larger; cut it out of the larger one, unless it is a "
-                         "part of it",
-                 "regions", ids});
+            m_findings.push_back({Severity::Note, "region-inside",
+                                  said(Sentence::RegionInside, a.id.value, b.id.value), "regions", ids});
         else
             m_findings.push_back(
                 {Severity::Warning, "region-overlap",
-                 names + " overlap by " + percent(share) + " of the smaller; draw the border between them",
-                 "regions", ids});
+                 said(Sentence::RegionsOverlap, a.id.value, b.id.value, std::round(share * 100.0)), "regions",
+                 ids});
     }
 
     const Building& m_building;
@@ -122,16 +106,15 @@ void checkShafts(const Building& building, Findings& findings) {
             if (const Region* region = building.region(*side)) served[access.shaft].insert(region->level);
     }
     for (const auto& [shaft, levels] : served) {
-        std::string missing;
+        std::vector<double> missing;
         for (const Level& level : building.levels())
             if (level.ordinal == std::floor(level.ordinal) && level.ordinal > *levels.begin() &&
                 level.ordinal < *levels.rbegin() && levels.count(level.ordinal) == 0)
-                missing += (missing.empty() ? "" : ", ") + formatNumber(level.ordinal);
+                missing.push_back(level.ordinal);
         if (!missing.empty())
             findings.push_back({Severity::Warning,
                                 "shaft-misses-level",
-                                "shaft " + quoted(shaft.value) + " passes level " + missing +
-                                    " without an access there; add it, unless it does not stop there",
+                                said(Sentence::ShaftMissesLevel, shaft.value, missing),
                                 "accesses",
                                 {shaft.value}});
     }
@@ -145,10 +128,8 @@ void checkRefs(const Building& building, Findings& findings) {
     for (const auto& [ref, ids] : regions)
         if (ids.size() > 1)
             findings.push_back({Severity::Warning, "region-ref-unique",
-                                std::to_string(ids.size()) + " regions of level " + formatNumber(ref.first) +
-                                    " have the ref " + quoted(ref.second) +
-                                    ": people are led to the wrong one; correct it",
-                                "regions", ids});
+                                counted(Sentence::RefShared, ids.size(), ref.first, ref.second), "regions",
+                                ids});
 }
 
 void checkSize(const Building& building, Findings& findings) {
@@ -162,12 +143,7 @@ void checkSize(const Building& building, Findings& findings) {
         }
     if (all && building.regions().size() > 1 && std::max(all->width(), all->height()) < 0.3)
         findings.push_back(
-            {Severity::Error,
-             "crs-degrees-for-metres",
-             "the whole building is smaller than 0.3 m: its coordinates are degrees, not metres; import or "
-             "reproject it",
-             "regions",
-             {}});
+            {Severity::Error, "crs-degrees-for-metres", Sentence::BuildingTiny, "regions", {}});
 }
 
 /// The regions on which a door is drawn: one of its ends or its middle lies on their outline or within.
@@ -195,10 +171,6 @@ private:
     LevelRegions m_index;
 };
 
-std::string counted(std::size_t count, const std::string& one, const std::string& many) {
-    return std::to_string(count) + " " + (count == 1 ? one : many);
-}
-
 void checkDoors(const Building& building, Findings& findings) {
     DrawnDoors drawn(building);
     std::vector<std::string> several, without, besides;
@@ -215,24 +187,14 @@ void checkDoors(const Building& building, Findings& findings) {
         if (building.neighboursOf(i).empty())
             (touched[i] ? besides : without).push_back(building.regions()[i].id.value);
     if (!several.empty())
-        findings.push_back(
-            {Severity::Note, "access-touches-two-regions",
-             counted(several.size(), "access is", "accesses are") +
-                 " drawn on more than two regions: see that region_a and region_b are the right ones",
-             "accesses", several});
+        findings.push_back({Severity::Note, "access-touches-two-regions",
+                            counted(Sentence::AccessesOnManyRegions, several.size()), "accesses", several});
     if (!without.empty())
-        findings.push_back(
-            {Severity::Warning, "region-has-access",
-             counted(without.size(), "region has", "regions have") +
-                 " no door or other access that joins another region: nobody can be led there; add it",
-             "regions", without});
+        findings.push_back({Severity::Warning, "region-has-access",
+                            counted(Sentence::RegionsWithoutAccess, without.size()), "regions", without});
     if (!besides.empty())
-        findings.push_back(
-            {Severity::Warning, "region-door-joins-others",
-             counted(besides.size(), "region has", "regions have") +
-                 " a door drawn on the border, but the door joins two others and nothing leads there: "
-                 "correct region_a or region_b, or draw another door",
-             "regions", besides});
+        findings.push_back({Severity::Warning, "region-door-joins-others",
+                            counted(Sentence::RegionsBesideDoors, besides.size()), "regions", besides});
 }
 
 void checkEscalators(const Building& building, Findings& findings) {
@@ -241,12 +203,9 @@ void checkEscalators(const Building& building, Findings& findings) {
         if (access.kind == AccessKind::Escalator && access.oneWay == OneWay::No && !access.closed)
             undirected.push_back(access.id.value);
     if (!undirected.empty())
-        findings.push_back(
-            {Severity::Warning, "escalator-direction",
-             (undirected.size() == 1 ? "1 escalator has"
-                                     : std::to_string(undirected.size()) + " escalators have") +
-                 " no direction and count as running both ways: set oneway",
-             "accesses", undirected});
+        findings.push_back({Severity::Warning, "escalator-direction",
+                            counted(Sentence::EscalatorsUndirected, undirected.size()), "accesses",
+                            undirected});
 }
 
 } // namespace
@@ -271,13 +230,12 @@ void checkOutlines(const Building& building, Findings& findings) {
             continue; // told otherwise
         double width = meanWidth(region.polygon);
         if (width < kSliverWidthM)
-            findings.push_back({Severity::Warning,
-                                "region-sliver",
-                                "region " + quoted(region.id.value) + " is a sliver, about " +
-                                    formatNumber(std::round(width * 100.0) / 100.0) +
-                                    " m wide: nobody stands there; join it to its neighbour",
-                                "regions",
-                                {region.id.value}});
+            findings.push_back(
+                {Severity::Warning,
+                 "region-sliver",
+                 said(Sentence::RegionSliver, region.id.value, std::round(width * 100.0) / 100.0),
+                 "regions",
+                 {region.id.value}});
     }
     OverlapCheck(building, findings).run();
 }

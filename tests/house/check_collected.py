@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Fails when a text of ui/ or app/ is not in translations/*.ts, or one there is used no more.
+"""Fails when a text of ui/ or app/, or a sentence of core, is not in translations/*.ts, or one there is used no more.
 
 Usage: check_collected.py ROOT LUPDATE. Collects into a copy; the .ts files of the repository are only read. What to do
 about a failure: ./dev translate, then fill in what is unfinished in translations/farol_*.ts.
@@ -30,7 +30,8 @@ for kept in sorted((root / "translations").glob("farol_*.ts")):
         fresh = Path(folder) / kept.name
         shutil.copy(kept, fresh)
         command = [lupdate, "-silent", "-recursive", "-I", str(root), "-locations", "none", "-no-obsolete", *only,
-                   "ui", "app", "-ts", str(fresh)]
+                   "-tr-function-alias", "QT_TRANSLATE_NOOP+=SAID,QT_TRANSLATE_N_NOOP+=SAID_OF_MANY",
+                   "ui", "app", "core/building/sentence_table.cpp", "-ts", str(fresh)]
         done = subprocess.run(command, cwd=root, capture_output=True, text=True)
         if done.returncode != 0:
             sys.exit(done.stderr or f"{lupdate} failed")

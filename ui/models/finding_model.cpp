@@ -1,8 +1,8 @@
 #include "ui/models/finding_model.h"
 
 #include "ui/convert/convert.h"
+#include "ui/models/core_words.h"
 #include "ui/models/rule_words.h"
-#include "ui/speech/phrasebook.h"
 
 #include <QLocale>
 
@@ -59,7 +59,7 @@ QString FindingModel::severityWord(building::Severity severity) {
 
 QString FindingModel::idsOf(const building::Finding& finding, std::size_t most) {
     QStringList ids;
-    for (std::size_t i = 0; i < finding.ids.size() && i < most; ++i) ids << toQString(finding.ids[i]);
+    for (std::size_t i = 0; i < finding.ids.size() && i < most; ++i) ids << CoreWords::id(finding.ids[i]);
     if (finding.ids.size() > most)
         ids << tr("and %n more", nullptr, static_cast<int>(finding.ids.size() - most));
     return ids.join(QStringLiteral(", "));
@@ -71,12 +71,9 @@ QString FindingModel::explained(const QModelIndex& index) const {
     const auto row = static_cast<std::size_t>(finding ? index.internalId() - 1 : index.row());
     const Branch& branch = m_branches[row];
     QStringList lines{tr("%1: %2").arg(severityWord(branch.severity), RuleWords::title(branch.rule))};
+    if (finding) lines << CoreWords::sentence(finding->said);
     if (const QString fix = RuleWords::fix(branch.rule); !fix.isEmpty()) lines << fix;
-    if (finding) {
-        const QString message = toQString(finding->message);
-        lines << (installedLanguage() == QLatin1String("en") ? message : tr("In English: %1").arg(message));
-        if (!finding->ids.empty()) lines << idsOf(*finding, 30);
-    }
+    if (finding && !finding->ids.empty()) lines << idsOf(*finding, 30);
     lines << tr("Rule: %1").arg(toQString(branch.rule));
     return lines.join(QLatin1Char('\n'));
 }
@@ -122,9 +119,9 @@ QVariant FindingModel::data(const QModelIndex& index, int role) const {
     if (role != Qt::DisplayRole) return {};
     const building::Finding* finding = findingAt(index);
     if (!finding) return text(m_branches[static_cast<std::size_t>(index.row())], index.column());
-    // Its sentence is long, and of the core, in English: it stands in the words below, behind the rule's own.
+    // Its sentence is long, and much the same in each row: it stands in the words below.
     if (index.column() == What)
-        return finding->ids.empty() ? toQString(finding->message) : idsOf(*finding, 8);
+        return finding->ids.empty() ? CoreWords::sentence(finding->said) : idsOf(*finding, 8);
     return finding->ids.size() > 1 ? QLocale().toString(static_cast<qulonglong>(finding->ids.size()))
                                    : QString();
 }

@@ -22,7 +22,7 @@ public:
     void setFindings(std::vector<building::Finding> findings);
     /// nullptr for a branch.
     const building::Finding* findingAt(const QModelIndex& index) const;
-    /// All in words: how grave it is, what the rule means and what to do, the finding itself, the features.
+    /// All in words: how grave it is and what the rule means, what was found, what to do, the features.
     QString explained(const QModelIndex& index) const;
     std::size_t count(building::Severity severity) const;
     static QString severityWord(building::Severity severity);

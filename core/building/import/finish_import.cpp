@@ -8,9 +8,10 @@
 
 namespace farol::building {
 
-void FindingList::add(Severity severity, const std::string& rule, const std::string& message,
+void FindingList::add(Severity severity, const std::string& rule, const Message& message,
                       const std::string& layer, const std::string& id) {
-    auto [place, fresh] = m_grouped.emplace(rule + '\n' + message + '\n' + layer, m_findings.size());
+    auto [place, fresh] =
+        m_grouped.emplace(rule + '\n' + message.english() + '\n' + layer, m_findings.size());
     if (fresh) m_findings.push_back({severity, rule, message, layer, {}});
     std::vector<std::string>& ids = m_findings[place->second].ids;
     if (ids.empty() || ids.back() != id) ids.push_back(id);

@@ -14,8 +14,8 @@ namespace farol::building {
 /// Gathers one finding per rule and wording, with all the ids it is about.
 class FindingList {
 public:
-    /// `message` without the count: "regions cross themselves and were mended".
-    void add(Severity severity, const std::string& rule, const std::string& message, const std::string& layer,
+    /// `message` is of all of them: "regions cross themselves and were mended".
+    void add(Severity severity, const std::string& rule, const Message& message, const std::string& layer,
              const std::string& id);
     void add(Finding finding) { m_findings.push_back(std::move(finding)); }
     std::vector<Finding> take(); ///< in the order of the first mention

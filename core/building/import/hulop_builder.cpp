@@ -32,7 +32,7 @@ HulopBuilder::HulopBuilder(HulopRecords records, const ImportOptions& options, s
       m_context(std::move(context)),
       m_plane(centreOf(m_records)) {}
 
-void HulopBuilder::note(Severity severity, const std::string& rule, const std::string& message,
+void HulopBuilder::note(Severity severity, const std::string& rule, const Message& message,
                         const std::string& id) {
     Finding& finding = m_notes[rule];
     if (finding.rule.empty()) finding = {severity, rule, message, m_context, {}};
@@ -61,13 +61,8 @@ Result<RawMap> HulopBuilder::build() {
     shapeRegions();
     addFacilities();
     for (const std::string& id : m_records.unknown)
-        note(Severity::Note, "hulop-unknown",
-             "features left out: they are no node, link, facility or entrance", id);
-    note(Severity::Note, "hulop-shapes",
-         "the network has no areas: each node became a region of strips along its links, cut half-way, and "
-         "each facility a square "
-         "of 2 m behind its entrance",
-         m_context);
+        note(Severity::Note, "hulop-unknown", Sentence::HulopUnknown, id);
+    note(Severity::Note, "hulop-shapes", Sentence::HulopShapes, m_context);
     m_map.coordinates = RawCoordinates::Geographic;
     m_map.explicitGraph = true;
     std::map<double, Level> levels;
@@ -92,10 +87,7 @@ void HulopBuilder::chooseFloors() {
         m_zeroBased = m_options.levelFrom == "0";
     else
         note(Severity::Warning, "hulop-floors",
-             m_zeroBased
-                 ? "floor 0 is taken as the ground floor; import it with the level from 1 when it is floor 1"
-                 : "floor 1 is taken as the ground floor; import it with the level from 0 when it is floor 0",
-             m_context);
+             m_zeroBased ? Sentence::HulopFloorZero : Sentence::HulopFloorOne, m_context);
 }
 
 double HulopBuilder::levelOf(double floor) const {
@@ -105,13 +97,10 @@ double HulopBuilder::levelOf(double floor) const {
 void HulopBuilder::placeNodes() {
     for (const HulopNode& node : m_records.nodes) {
         if (!node.at || node.id.empty() || m_places.count(node.id) != 0) {
-            note(Severity::Warning, "hulop-node",
-                 "nodes left out: they have no place, no id, or the id of another", node.id);
+            note(Severity::Warning, "hulop-node", Sentence::HulopNode, node.id);
             continue;
         }
-        if (!node.floorKnown)
-            note(Severity::Warning, "hulop-node-floor", "nodes without a floor are taken to be on the ground",
-                 node.id);
+        if (!node.floorKnown) note(Severity::Warning, "hulop-node-floor", Sentence::HulopNodeFloor, node.id);
         Place place;
         place.at = m_plane.toMetres(*node.at);
         place.level = node.floorKnown ? levelOf(node.floor) : 0.0;
@@ -135,8 +124,7 @@ void HulopBuilder::addLinks() {
 void HulopBuilder::addLink(const HulopLink& link) {
     auto from = m_places.find(link.from), to = m_places.find(link.to);
     if (from == m_places.end() || to == m_places.end() || from == to) {
-        note(Severity::Warning, "hulop-link", "links left out: they do not join two nodes that are there",
-             link.id);
+        note(Severity::Warning, "hulop-link", Sentence::HulopLink, link.id);
         return;
     }
     Place &a = from->second, &b = to->second;
@@ -204,7 +192,7 @@ void HulopBuilder::shapeRegions() {
         place.strips.push_back(octagon(place.at, place.reachM));
         m_map.data.regions[place.region].polygon =
             joinedStrips(place.strips).value_or(octagon(place.at, 1.0));
-        if (place.links == 0) note(Severity::Warning, "hulop-node-alone", "no link leads to the node", id);
+        if (place.links == 0) note(Severity::Warning, "hulop-node-alone", Sentence::HulopNodeAlone, id);
     }
 }
 
@@ -226,12 +214,11 @@ void HulopBuilder::addFacilities() {
         if (entered > 0) continue;
         addLandmark(facility);
         if (!facility.pointOfInterest)
-            note(Severity::Warning, "hulop-facility",
-                 "no entrance with a known node leads to the facility: it became a landmark", facility.id);
+            note(Severity::Warning, "hulop-facility", Sentence::HulopFacility, facility.id);
     }
     for (const HulopEntrance& entrance : m_records.entrances)
         if (known.count(entrance.facility) == 0)
-            note(Severity::Warning, "hulop-entrance", "the facility of the entrance is missing", entrance.id);
+            note(Severity::Warning, "hulop-entrance", Sentence::HulopEntrance, entrance.id);
 }
 
 void HulopBuilder::addFacilityAt(const HulopFacility& facility, const HulopEntrance& entrance,
@@ -284,8 +271,7 @@ void HulopBuilder::addLandmark(const HulopFacility& facility) {
     const Place* near = nearestPlace(at, level);
     if (near == nullptr) near = nearestPlace(at, std::nullopt);
     if (distance(at, near->at) > kFarM) {
-        note(Severity::Warning, "hulop-landmark-far",
-             "left out: it lies more than 20 m from every node of its floor", facility.id);
+        note(Severity::Warning, "hulop-landmark-far", Sentence::HulopLandmarkFar, facility.id);
         return;
     }
     Landmark landmark;

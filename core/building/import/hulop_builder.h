@@ -41,7 +41,7 @@ private:
     void addLandmark(const HulopFacility& facility);
     const Place* nearestPlace(Point2 at, std::optional<double> level) const;
     std::string freeId(const std::string& wish);
-    void note(Severity severity, const std::string& rule, const std::string& message, const std::string& id);
+    void note(Severity severity, const std::string& rule, const Message& message, const std::string& id);
 
     HulopRecords m_records;
     ImportOptions m_options;

@@ -65,9 +65,7 @@ RawMap ImdfBuilder::build() {
     readRelationships();
     for (const char* type : {"section", "geofence"})
         for (const TaggedFeature& feature : files(type))
-            tell(Severity::Note, "imdf-not-used",
-                 std::string("features of the type ") + type + " have no place in a building file", type,
-                 feature.id);
+            tell(Severity::Note, "imdf-not-used", said(Sentence::ImdfNotUsed, type), type, feature.id);
     m_map.findings = m_findings.take();
     return std::move(m_map);
 }
@@ -78,7 +76,7 @@ const std::vector<TaggedFeature>& ImdfBuilder::files(const std::string& type) co
     return found == m_files.end() ? none : found->second;
 }
 
-void ImdfBuilder::tell(Severity severity, const std::string& rule, const std::string& message,
+void ImdfBuilder::tell(Severity severity, const std::string& rule, const Message& message,
                        const std::string& layer, const std::string& id) {
     m_findings.add(severity, rule, message, layer, id);
 }
@@ -112,8 +110,7 @@ void ImdfBuilder::readLevels() {
     for (const TaggedFeature& feature : files("level")) {
         auto ordinal = plainNumber(feature.tag("ordinal"));
         if (!ordinal || std::abs(*ordinal) > 1000.0)
-            tell(Severity::Warning, "imdf-level-ordinal",
-                 "levels have no ordinal; they are taken as the ground floor", "levels", feature.id);
+            tell(Severity::Warning, "imdf-level-ordinal", Sentence::ImdfLevelOrdinal, "levels", feature.id);
         if (!ordinal || std::abs(*ordinal) > 1000.0) ordinal = 0.0;
         m_levels.emplace(feature.id, *ordinal);
         auto same = std::find_if(m_map.data.levels.begin(), m_map.data.levels.end(),
@@ -138,8 +135,7 @@ void ImdfBuilder::readLevels() {
 double ImdfBuilder::levelOf(const TaggedFeature& feature, const std::string& layer) {
     auto found = m_levels.find(feature.tag("level_id"));
     if (found != m_levels.end()) return found->second;
-    tell(Severity::Warning, "imdf-level-id",
-         "features name a level that does not exist; the ground floor is assumed", layer, feature.id);
+    tell(Severity::Warning, "imdf-level-id", Sentence::ImdfLevelMissing, layer, feature.id);
     return 0.0;
 }
 
@@ -150,24 +146,18 @@ void ImdfBuilder::readUnits() {
 void ImdfBuilder::readUnit(const TaggedFeature& unit) {
     UnitRole role = imdfUnitRole(unit.tag("category"));
     double level = levelOf(unit, "regions");
-    if (!role.known)
-        tell(Severity::Note, "imdf-category",
-             "units have a category that IMDF 1.0 does not list; they are taken as rooms", "regions",
-             unit.id);
+    if (!role.known) tell(Severity::Note, "imdf-category", Sentence::ImdfCategory, "regions", unit.id);
     if (!role.walkable) {
-        tell(Severity::Note, "imdf-not-walkable", "units are walls, columns or voids: they became walls",
-             "walls", unit.id);
+        tell(Severity::Note, "imdf-not-walkable", Sentence::ImdfNotWalkable, "walls", unit.id);
         addWalls(unit, level);
         return;
     }
     if (unit.polygons.empty()) {
-        tell(Severity::Warning, "imdf-unit-outline", "units have no outline and were left out", "regions",
-             unit.id);
+        tell(Severity::Warning, "imdf-unit-outline", Sentence::ImdfUnitOutline, "regions", unit.id);
         return;
     }
     if (unit.polygons.size() > 1)
-        tell(Severity::Warning, "region-split",
-             "regions fell into several parts: each part is a region of its own", "regions", unit.id);
+        tell(Severity::Warning, "region-split", Sentence::RegionsSplit, "regions", unit.id);
     m_units.emplace(unit.id, m_map.data.regions.size());
     for (std::size_t part = 0; part < unit.polygons.size(); ++part) {
         Region region;
@@ -206,8 +196,8 @@ void ImdfBuilder::readOccupants() {
         auto anchor = unitOfAnchor.find(occupant.tag("anchor_id"));
         auto unit = anchor == unitOfAnchor.end() ? m_units.end() : m_units.find(anchor->second);
         if (unit == m_units.end()) {
-            tell(Severity::Warning, "imdf-occupant-anchor",
-                 "occupants have no anchor in a unit and were left out", "regions", occupant.id);
+            tell(Severity::Warning, "imdf-occupant-anchor", Sentence::ImdfOccupantAnchor, "regions",
+                 occupant.id);
             continue;
         }
         Region& region = m_map.data.regions[unit->second];
@@ -241,13 +231,10 @@ void ImdfBuilder::readOpening(const TaggedFeature& opening) {
     if (category == "emergencyexit" || category == "automobile" || category == "bicycle" ||
         opening.tag("access_control").find("outofservice") != std::string::npos) {
         access.closed = true;
-        tell(Severity::Note, "imdf-opening-closed",
-             "openings are emergency exits, for vehicles or out of service: nobody is led through them",
-             "accesses", opening.id);
+        tell(Severity::Note, "imdf-opening-closed", Sentence::ImdfOpeningClosed, "accesses", opening.id);
     }
     if (opening.lines.empty()) {
-        tell(Severity::Warning, "imdf-opening-line", "openings have no line and were left out", "accesses",
-             opening.id);
+        tell(Severity::Warning, "imdf-opening-line", Sentence::ImdfOpeningLine, "accesses", opening.id);
         return;
     }
     m_openings.emplace(opening.id, m_map.data.accesses.size());
@@ -270,8 +257,7 @@ void ImdfBuilder::readAmenity(const TaggedFeature& amenity) {
     landmark.text = label(amenity, "name");
     landmark.extra = attributesOf(amenity.tags);
     if (!onePoint(amenity, landmark.position)) {
-        tell(Severity::Warning, "imdf-amenity-point", "amenities have no point and were left out",
-             "landmarks", amenity.id);
+        tell(Severity::Warning, "imdf-amenity-point", Sentence::ImdfAmenityPoint, "landmarks", amenity.id);
         return;
     }
     std::set<double> levels;
@@ -293,8 +279,7 @@ void ImdfBuilder::readAmenity(const TaggedFeature& amenity) {
         if (over.size() == 1) levels = over;
     }
     if (levels.size() != 1)
-        tell(Severity::Warning, "imdf-amenity-level",
-             "amenities name no unit that tells their level and were left out", "landmarks", amenity.id);
+        tell(Severity::Warning, "imdf-amenity-level", Sentence::ImdfAmenityLevel, "landmarks", amenity.id);
     if (levels.size() != 1) return;
     landmark.level = *levels.begin();
     m_map.data.landmarks.push_back(std::move(landmark));
@@ -335,8 +320,7 @@ void ImdfBuilder::readRelationship(const TaggedFeature& relationship) {
     }
     std::erase_if(steps, [this](const std::string& id) { return m_units.count(id) == 0; });
     if (steps.size() < 2)
-        tell(Severity::Warning, "imdf-relationship", "relationships do not name two units and were left out",
-             "accesses", relationship.id);
+        tell(Severity::Warning, "imdf-relationship", Sentence::ImdfRelationship, "accesses", relationship.id);
     for (std::size_t i = 1; i < steps.size(); ++i) {
         RawMap::VerticalLink link;
         link.from = RegionId(steps[i - 1]);

@@ -25,8 +25,8 @@ private:
     const std::vector<TaggedFeature>& files(const std::string& type) const;
     std::string label(const TaggedFeature& feature, const std::string& key) const;
     double levelOf(const TaggedFeature& feature, const std::string& layer);
-    void tell(Severity severity, const std::string& rule, const std::string& message,
-              const std::string& layer, const std::string& id);
+    void tell(Severity severity, const std::string& rule, const Message& message, const std::string& layer,
+              const std::string& id);
     void readTitle();
     void readLevels();
     void readUnits();

@@ -111,7 +111,7 @@ std::vector<double> crossings(Point2 from, Point2 to, const Ring& ring) {
 IndoorGmlBuilder::IndoorGmlBuilder(const XmlNode& root, const ImportOptions& options, std::string context)
     : m_root(root), m_options(options), m_context(std::move(context)) {}
 
-void IndoorGmlBuilder::note(Severity severity, const std::string& rule, const std::string& message,
+void IndoorGmlBuilder::note(Severity severity, const std::string& rule, const Message& message,
                             const std::string& id) {
     Finding& finding = m_notes[rule];
     if (finding.rule.empty()) finding = {severity, rule, message, m_context, {}};
@@ -169,8 +169,7 @@ void IndoorGmlBuilder::findCrs(const XmlNode& node) {
             CPLFree(wkt);
             return;
         }
-        note(Severity::Warning, "indoorgml-crs",
-             "the name of the coordinate system is not known; a local plane in metres is assumed", name);
+        note(Severity::Warning, "indoorgml-crs", Sentence::GmlCrs, name);
         m_map.coordinates = RawCoordinates::Metric;
     }
     for (const XmlNode& child : node.children) findCrs(child);
@@ -205,8 +204,7 @@ void IndoorGmlBuilder::readCell(const XmlNode& node) {
     const XmlNode* geometry = node.child("cellspacegeometry");
     auto seen = geometry == nullptr ? std::nullopt : m_geometry->footprint(*geometry);
     if (id.empty() || m_cellOf.count(id) != 0 || !seen) {
-        note(Severity::Warning, "indoorgml-cell",
-             "cells left out: they have no outline, no id, or the id of another", id);
+        note(Severity::Warning, "indoorgml-cell", Sentence::GmlCell, id);
         return;
     }
     Region& region = cell.region;
@@ -268,8 +266,7 @@ void IndoorGmlBuilder::readTransition(const XmlNode& node) {
             link.line = flatLine(m_geometry->line(child));
     }
     if (ends.size() != 2 || ends[0] == ends[1]) {
-        note(Severity::Warning, "indoorgml-transition",
-             "transitions left out: they do not connect two cells that are there", link.id);
+        note(Severity::Warning, "indoorgml-transition", Sentence::GmlTransition, link.id);
         return;
     }
     link.a = ends[0];
@@ -298,8 +295,7 @@ bool IndoorGmlBuilder::setLevelsByStorey() {
             ordinals[cell.storey] = parsed.levels.front();
             named.emplace(parsed.levels.front(), cell.storey);
         } else
-            note(Severity::Warning, "indoorgml-storey",
-                 "storeys are named by words; levels were taken from the heights", cell.storey);
+            note(Severity::Warning, "indoorgml-storey", Sentence::GmlStorey, cell.storey);
     }
     bool all = std::all_of(m_cells.begin(), m_cells.end(),
                            [&](const Cell& cell) { return ordinals.count(cell.storey) != 0; });
@@ -321,10 +317,7 @@ void IndoorGmlBuilder::setLevelsByHeight() {
     HeightLevels levels(std::move(heights));
     if (levels.empty()) {
         m_map.data.levels.push_back(Level());
-        if (m_cells.size() > 1)
-            note(Severity::Warning, "indoorgml-level",
-                 "nothing tells the levels: all is taken as level 0; name the field that holds the level",
-                 "");
+        if (m_cells.size() > 1) note(Severity::Warning, "indoorgml-level", Sentence::GmlLevel, "");
         return;
     }
     for (std::size_t i = 0; i < levels.floors().size(); ++i) {
@@ -334,7 +327,7 @@ void IndoorGmlBuilder::setLevelsByHeight() {
         m_map.data.levels.push_back(std::move(level));
     }
     for (Cell& cell : m_cells) cell.region.level = levels.ordinalOf(cell.z.value_or(levels.ground()));
-    note(Severity::Note, "indoorgml-level-by-height", "levels were counted from the heights of the floors",
+    note(Severity::Note, "indoorgml-level-by-height", Sentence::GmlLevelByHeight,
          formatNumber(levels.floors().front()));
 }
 
@@ -356,9 +349,7 @@ void IndoorGmlBuilder::addAccesses() {
             if (std::find(sides.begin(), sides.end(), other) == sides.end()) sides.push_back(other);
         }
         if (sides.size() != 2 || m_cells[sides[0]].door || m_cells[sides[1]].door) {
-            note(Severity::Note, "indoorgml-door-cell",
-                 "the door's cell does not lie between two rooms: it stays a region",
-                 m_cells[door].region.id.value);
+            note(Severity::Note, "indoorgml-door-cell", Sentence::GmlDoorCell, m_cells[door].region.id.value);
             continue;
         }
         const Cell& cell = m_cells[door];

@@ -52,7 +52,7 @@ private:
                    const XmlNode* boundary, const Cell* door);
     AccessKind kindBetween(const Cell& a, const Cell& b, bool door) const;
     Point2 passage(const Cell& a, const Cell& b, const Polyline& line) const;
-    void note(Severity severity, const std::string& rule, const std::string& message, const std::string& id);
+    void note(Severity severity, const std::string& rule, const Message& message, const std::string& id);
 
     const XmlNode& m_root;
     ImportOptions m_options;

@@ -101,8 +101,8 @@ private:
                     : 0U;
         }
         if (touched >= 2) return; // more than two: told by the checks
-        m_findings.add(Severity::Note, "access-touches-two-regions",
-                       "accesses are drawn on fewer than two regions", "accesses", access.id.value);
+        m_findings.add(Severity::Note, "access-touches-two-regions", Sentence::AccessesOnFewRegions,
+                       "accesses", access.id.value);
     }
 
     bool allowed(const Access& access, std::size_t region) const {
@@ -199,11 +199,8 @@ private:
 
     void fill(Access& access, const Joined& joined) {
         if (joined.ambiguous && access.regionA.empty() && access.regionB.empty())
-            m_findings.add(Severity::Warning, "access-ambiguous",
-                           "accesses lie beside more than two regions; the two with the widest border were "
-                           "taken: see that they "
-                           "are right",
-                           "accesses", access.id.value);
+            m_findings.add(Severity::Warning, "access-ambiguous", Sentence::AccessesAmbiguous, "accesses",
+                           access.id.value);
         const RegionId &left = idOf(joined.left), &right = idOf(joined.right);
         if (access.regionA.empty() && access.regionB.empty()) {
             access.regionA = left;
@@ -217,11 +214,8 @@ private:
 
     void tellUnjoined(Access& access) {
         if (endsAtTwo(access))
-            m_findings.add(Severity::Warning, "access-drawn-across",
-                           "accesses run from one region to another and along no border: if one walks along "
-                           "the line, set region_a "
-                           "and region_b",
-                           "accesses", access.id.value);
+            m_findings.add(Severity::Warning, "access-drawn-across", Sentence::AccessesAcross, "accesses",
+                           access.id.value);
         // A door to nowhere: the one region it touches is told, so that the curator knows which.
         if (!access.regionA.empty() || !access.regionB.empty()) return;
         if (auto region = m_index.nearest(access.level, access.midpoint(), kReachesM.front()))
@@ -247,8 +241,7 @@ void placeLandmarks(BuildingData& data, FindingList& findings) {
             landmark.region = data.regions[*region].id;
         } else if ((region = index.nearest(landmark.level, landmark.position, 3.0))) {
             landmark.region = data.regions[*region].id;
-            findings.add(Severity::Note, "landmark-placed",
-                         "landmarks lie outside every region and were given to the nearest one", "landmarks",
+            findings.add(Severity::Note, "landmark-placed", Sentence::LandmarksGivenRegion, "landmarks",
                          landmark.id.value);
         }
     }

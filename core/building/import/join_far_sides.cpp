@@ -127,11 +127,8 @@ private:
                     const auto& below = std::prev(level)->second;
                     m_data.accesses[i].regionB = nearSide(nearestOf(below, m_data.accesses[i].midpoint()));
                 } else {
-                    m_findings.add(
-                        Severity::Warning, "access-far-level",
-                        "stairs, lifts or escalators lead to a level that nothing names: set region_b, or "
-                        "give them and their other end the same shaft",
-                        "accesses", m_data.accesses[i].id.value);
+                    m_findings.add(Severity::Warning, "access-far-level", Sentence::FarLevelUnknown,
+                                   "accesses", m_data.accesses[i].id.value);
                 }
             }
         }
@@ -152,10 +149,8 @@ private:
 
     void merge(std::size_t i) {
         m_merged.insert(i);
-        m_findings.add(
-            Severity::Note, "access-merged",
-            "upper ends of stairs, lifts or escalators were left out: their lower ends lead there already",
-            "accesses", m_data.accesses[i].id.value);
+        m_findings.add(Severity::Note, "access-merged", Sentence::UpperEndsLeftOut, "accesses",
+                       m_data.accesses[i].id.value);
     }
 
     /// "Up" and "down" become directions between the two regions; the upper end may be the one that tells.

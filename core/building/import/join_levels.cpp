@@ -101,8 +101,7 @@ private:
     void addLink(const RawMap::VerticalLink& link) {
         auto from = m_position.find(link.from.value), to = m_position.find(link.to.value);
         if (from == m_position.end() || to == m_position.end()) {
-            m_findings.add(Severity::Warning, "level-link-regions",
-                           "links between levels name regions that do not exist", "accesses",
+            m_findings.add(Severity::Warning, "level-link-regions", Sentence::LevelLinksNowhere, "accesses",
                            link.from.value + " - " + link.to.value);
             return;
         }
@@ -172,10 +171,8 @@ private:
             if (auto up = directionOf(m_raw.data.regions[each]); up && kind == AccessKind::Escalator)
                 link.oneWay = *up ? OneWay::AToB : OneWay::BToA;
         join(low, *best, link);
-        m_findings.add(Severity::Note, "level-link-overlap",
-                       "stairs, lifts or escalators were joined with the ones above them, because their "
-                       "outlines overlap",
-                       "accesses", m_raw.data.accesses.back().id.value);
+        m_findings.add(Severity::Note, "level-link-overlap", Sentence::LevelsJoined, "accesses",
+                       m_raw.data.accesses.back().id.value);
         return true;
     }
 
@@ -256,10 +253,8 @@ void nameRegions(BuildingData& data, FindingList& findings) {
         do name = word + " " + std::to_string(++number);
         while (!used.insert(level + "|" + foldedForMatching(name)).second);
         region->name = name;
-        findings.add(Severity::Note, "region-named",
-                     "regions had no name and were given one from kind and number, such as \"Corridor 3\": "
-                     "rename them",
-                     "regions", region->id.value);
+        findings.add(Severity::Note, "region-named", Sentence::RegionsGivenNames, "regions",
+                     region->id.value);
     }
 }
 

@@ -62,11 +62,11 @@ public:
     }
 
 private:
-    void tell(Severity severity, const std::string& rule, const std::string& message, const std::string& id) {
+    void tell(Severity severity, const std::string& rule, const Message& message, const std::string& id) {
         m_findings.add(severity, rule, message, "regions", id);
     }
 
-    void drop(const Region& region, const std::string& rule, const std::string& message) {
+    void drop(const Region& region, const std::string& rule, const Message& message) {
         tell(Severity::Warning, rule, message, region.id.value);
         m_ids[region.id.value].clear();
     }
@@ -80,18 +80,13 @@ private:
         }
         std::erase_if(region.polygon.holes, [](const Ring& hole) { return hole.size() < 3; });
         if (notFinite)
-            tell(Severity::Warning, "coordinates-finite",
-                 "outlines have corners that are no places; these were left out", region.id.value);
+            tell(Severity::Warning, "coordinates-finite", Sentence::CornersNoPlaces, region.id.value);
         if (region.polygon.outer.size() < 3)
-            return drop(region, "region-polygon-valid",
-                        "outlines have fewer than three corners; the regions were left out");
+            return drop(region, "region-polygon-valid", Sentence::RegionsOfFewCorners);
         if (corners > kMostCorners)
-            return drop(region, "region-polygon-valid",
-                        "outlines have more than 200,000 corners; the regions were left out");
+            return drop(region, "region-polygon-valid", Sentence::RegionsOfManyCorners);
         std::vector<Polygon> parts = validParts(region);
-        if (parts.empty())
-            return drop(region, "region-polygon-valid",
-                        "outlines enclose no area; the regions were left out");
+        if (parts.empty()) return drop(region, "region-polygon-valid", Sentence::RegionsOfNoArea);
         addParts(std::move(region), std::move(parts));
     }
 
@@ -104,9 +99,7 @@ private:
             std::abs(area(parts.front()) - area(region.polygon)) >
                 1e-6 * std::max(1.0, area(region.polygon))) {
             if (!parts.empty())
-                tell(Severity::Warning, "region-polygon-valid",
-                     "outlines crossed or touched themselves and were mended: compare them with the plan",
-                     region.id.value);
+                tell(Severity::Warning, "region-polygon-valid", Sentence::OutlinesMended, region.id.value);
         }
         return parts;
     }
@@ -115,9 +108,7 @@ private:
         std::stable_sort(parts.begin(), parts.end(),
                          [](const Polygon& a, const Polygon& b) { return area(a) > area(b); });
         std::string id = region.id.value;
-        if (parts.size() > 1)
-            tell(Severity::Warning, "region-split",
-                 "regions fell into several parts: each part is a region of its own", id);
+        if (parts.size() > 1) tell(Severity::Warning, "region-split", Sentence::RegionsSplit, id);
         for (std::size_t i = 0; i < parts.size(); ++i) {
             Region part = region;
             part.polygon = std::move(parts[i]);
@@ -148,9 +139,7 @@ private:
                 if (first->name.empty()) first->name = region.name;
                 if (first->ref.empty()) first->ref = region.ref;
                 first->restricted = first->restricted || region.restricted;
-                tell(Severity::Warning, "region-duplicate",
-                     "regions repeat the outline of another one on their level and were merged with it",
-                     region.id.value);
+                tell(Severity::Warning, "region-duplicate", Sentence::RegionsMerged, region.id.value);
                 m_ids[region.id.value] = first->id.value;
                 continue;
             }
@@ -170,16 +159,14 @@ private:
         for (const Region& region : m_raw.data.regions) regions.emplace(region.id.value, &region);
         std::erase_if(m_raw.data.accesses, [&](Access& access) {
             if (clean(access.line, false))
-                m_findings.add(Severity::Warning, "coordinates-finite",
-                               "accesses have points that are no places; these were left out", "accesses",
-                               access.id.value);
+                m_findings.add(Severity::Warning, "coordinates-finite", Sentence::AccessPointsNoPlaces,
+                               "accesses", access.id.value);
             auto side = regions.find(access.regionA.value);
             if (side == regions.end()) side = regions.find(access.regionB.value);
             if (access.line.empty() && side != regions.end())
                 access.line = {pointInside(side->second->polygon)};
             if (!access.line.empty()) return false;
-            m_findings.add(Severity::Warning, "access-geometry",
-                           "accesses have no place on the map and were left out", "accesses",
+            m_findings.add(Severity::Warning, "access-geometry", Sentence::AccessesNoPlace, "accesses",
                            access.id.value);
             return true;
         });
@@ -192,8 +179,7 @@ private:
     void mendLandmarks() {
         std::erase_if(m_raw.data.landmarks, [&](const Landmark& landmark) {
             if (isPlace(landmark.position)) return false;
-            m_findings.add(Severity::Warning, "coordinates-finite",
-                           "landmarks have no place on the map and were left out", "landmarks",
+            m_findings.add(Severity::Warning, "coordinates-finite", Sentence::LandmarksNoPlace, "landmarks",
                            landmark.id.value);
             return true;
         });

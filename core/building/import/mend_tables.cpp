@@ -44,9 +44,7 @@ void giveIds(Items& items, const std::string& layer, const std::string& word, Fi
         taken.insert(fresh);
         item.id.value = fresh;
         findings.add(Severity::Warning, word + "-id-unique",
-                     old.empty() ? "features had no id and were given one"
-                                 : "features shared an id and were given another",
-                     layer, fresh);
+                     old.empty() ? Sentence::IdGiven : Sentence::IdChanged, layer, fresh);
     }
 }
 
@@ -138,8 +136,7 @@ Result<void> mendLevels(BuildingData& data, FindingList& findings) {
     std::set<double> known, used;
     auto judge = [&](double& level, const std::string& layer, const std::string& id) {
         if (!std::isfinite(level) || std::abs(level) > kFurthestLevel) {
-            findings.add(Severity::Warning, "level-number",
-                         "levels are no floors of a building; level 0 is assumed", layer, id);
+            findings.add(Severity::Warning, "level-number", Sentence::LevelsNoFloors, layer, id);
             level = 0.0;
         }
         level = std::round(level * 1000.0) / 1000.0;
@@ -157,8 +154,7 @@ Result<void> mendLevels(BuildingData& data, FindingList& findings) {
         if (known.insert(level.ordinal).second)
             levels.push_back(std::move(level));
         else
-            findings.add(Severity::Note, "level-twice",
-                         "levels stand twice in the source; the first name is kept", "levels",
+            findings.add(Severity::Note, "level-twice", Sentence::LevelsTwice, "levels",
                          formatNumber(level.ordinal));
     }
     for (double ordinal : used) {

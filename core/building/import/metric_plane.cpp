@@ -112,7 +112,7 @@ public:
     }
 
 private:
-    void note(Severity severity, const std::string& rule, const std::string& message) {
+    void note(Severity severity, const std::string& rule, const Message& message) {
         m_findings.add({severity, rule, message, "", {}});
     }
 
@@ -123,8 +123,7 @@ private:
             GdalMessages quiet;
             if (reference.SetFromUserInput(
                     crs.c_str(), OGRSpatialReference::SET_FROM_USER_INPUT_LIMITATIONS_get()) != OGRERR_NONE)
-                note(Severity::Warning, "crs-unknown",
-                     "the coordinate reference system of the source cannot be understood");
+                note(Severity::Warning, "crs-unknown", Sentence::CrsNotUnderstood);
             else if (reference.IsLocal() == FALSE)
                 m_reference = reference;
         } else if (m_raw.coordinates == RawCoordinates::Geographic) {
@@ -144,20 +143,13 @@ private:
         if (!geographic && m_raw.coordinates != RawCoordinates::Metric &&
             (looksLikeDegrees(m_box) || looksLikeDegrees(turned))) {
             note(Severity::Warning, m_reference ? "crs-degrees-for-metres" : "crs-missing",
-                 m_reference
-                     ? "the source names a CRS in metres, but its coordinates are degrees: they are taken as "
-                       "WGS 84"
-                     : "the source names no CRS; its coordinates look like degrees and are taken as WGS 84");
+                 m_reference ? Sentence::CrsMetresButDegrees : Sentence::CrsMissingDegrees);
             m_reference = wgs84();
         } else if (geographic && !onEarth(m_box) && !onEarth(turned)) {
-            note(Severity::Warning, "crs-metres-for-degrees",
-                 "the source names a CRS in degrees, but its coordinates are not: they are taken as metres "
-                 "of a local plane");
+            note(Severity::Warning, "crs-metres-for-degrees", Sentence::CrsDegreesButMetres);
             m_reference.reset();
         } else if (!m_reference && m_raw.coordinates != RawCoordinates::Metric) {
-            note(Severity::Warning, "crs-missing",
-                 "the source names no CRS: its coordinates are taken as metres of a local plane; name the "
-                 "CRS if there is one");
+            note(Severity::Warning, "crs-missing", Sentence::CrsMissingMetres);
         }
     }
 
@@ -192,9 +184,7 @@ private:
 
     void unflip() {
         if (!isFlipped()) return;
-        note(Severity::Warning, "axes-flipped",
-             "north and east stand in each other's place in the source: they were exchanged; export it again "
-             "to be sure");
+        note(Severity::Warning, "axes-flipped", Sentence::AxesExchanged);
         for (Point2* point : m_points) *point = swapped(*point);
         m_box = {swapped(m_box.low), swapped(m_box.high)};
     }
@@ -256,8 +246,8 @@ private:
         }
         const char* name = m_reference->GetName();
         note(Severity::Note, "crs-projected",
-             std::string("coordinates were brought from ") + (name == nullptr ? "the source's CRS" : name) +
-                 " to " + metric.GetName() + ", in metres");
+             name == nullptr ? said(Sentence::CoordinatesBroughtUnnamed, metric.GetName())
+                             : said(Sentence::CoordinatesBrought, name, metric.GetName()));
         m_raw.data.crs = wktOf(metric);
         return {};
     }

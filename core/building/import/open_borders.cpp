@@ -121,8 +121,7 @@ private:
             if (!met) number = openInside(other, one, edges, borders, indexOf(borders), met);
         }
         if (number > 0)
-            m_findings.add(Severity::Note, "border-open",
-                           "openings were added where regions meet without a wall between them", "regions",
+            m_findings.add(Severity::Note, "border-open", Sentence::OpeningsAdded, "regions",
                            one.id.value + " - " + other.id.value);
     }
 

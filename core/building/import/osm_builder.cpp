@@ -80,7 +80,7 @@ Result<RawMap> OsmBuilder::build() {
     return std::move(m_map);
 }
 
-void OsmBuilder::note(Severity severity, const std::string& rule, const std::string& message,
+void OsmBuilder::note(Severity severity, const std::string& rule, const Message& message,
                       const std::string& id) {
     Finding& finding = m_notes[rule];
     if (finding.rule.empty()) finding = {severity, rule, message, m_context, {}};
@@ -91,9 +91,7 @@ std::vector<double> OsmBuilder::levelsOf(const TaggedFeature& feature) {
     ParsedLevels levels = parseLevels(feature.tag("level"));
     ParsedLevels repeated = parseLevels(feature.tag("repeat_on"));
     if (!levels.understood || !repeated.understood)
-        note(Severity::Warning, "osm-level-unreadable",
-             "the value of level or repeat_on is no list of levels such as -1;0 or 1-3: correct it",
-             feature.id);
+        note(Severity::Warning, "osm-level-unreadable", Sentence::OsmLevelUnreadable, feature.id);
     levels.levels.insert(levels.levels.end(), repeated.levels.begin(), repeated.levels.end());
     std::sort(levels.levels.begin(), levels.levels.end());
     levels.levels.erase(std::unique(levels.levels.begin(), levels.levels.end()), levels.levels.end());
@@ -103,8 +101,7 @@ std::vector<double> OsmBuilder::levelsOf(const TaggedFeature& feature) {
 std::vector<double> OsmBuilder::levelsOrGround(const TaggedFeature& feature) {
     std::vector<double> levels = levelsOf(feature);
     if (!levels.empty()) return levels;
-    note(Severity::Warning, "osm-level-missing",
-         "there is no readable level; level 0 is assumed: add the level", feature.id);
+    note(Severity::Warning, "osm-level-missing", Sentence::OsmLevelMissing, feature.id);
     return {0.0};
 }
 
@@ -202,8 +199,7 @@ void OsmBuilder::addLift(const TaggedFeature& feature, Point2 at) {
         region.polygon.outer = square(at, kLiftSideM);
         stack.push_back(region.id);
         addRegion(std::move(region), true);
-        note(Severity::Note, "osm-lift-size",
-             "the lift is a point in the source: a square of 1.6 m was drawn for its car", feature.id);
+        note(Severity::Note, "osm-lift-size", Sentence::OsmLiftPoint, feature.id);
     }
     linkLevels(stack, AccessKind::Elevator, feature.id);
 }
@@ -334,14 +330,12 @@ void OsmBuilder::addLandmarks() {
             for (const auto& [level, regions] : m_onLevel)
                 if (regionAt(at, level, 0.0)) levels.push_back(level);
         if (levels.size() != 1 && !feature.has("level")) {
-            note(Severity::Warning, "osm-landmark-level",
-                 "left out: it has no level, and it stands over no or several levels' regions", feature.id);
+            note(Severity::Warning, "osm-landmark-level", Sentence::OsmLandmarkLevel, feature.id);
             continue;
         }
         for (double level : levels) {
             if (!regionAt(at, level, kLandmarkReachM)) {
-                note(Severity::Warning, "osm-landmark-outside",
-                     "left out: no region of its level lies within 3 m", feature.id);
+                note(Severity::Warning, "osm-landmark-outside", Sentence::OsmLandmarkOutside, feature.id);
                 continue;
             }
             Landmark landmark;

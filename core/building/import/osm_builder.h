@@ -40,7 +40,7 @@ private:
     static NodeKey keyOf(Point2 degrees);
     std::vector<double> levelsOf(const TaggedFeature& feature);
     std::vector<double> levelsOrGround(const TaggedFeature& feature);
-    void note(Severity severity, const std::string& rule, const std::string& message, const std::string& id);
+    void note(Severity severity, const std::string& rule, const Message& message, const std::string& id);
 
     void addAreas();
     void addArea(const TaggedFeature& feature, const RegionRole& role);

@@ -114,8 +114,7 @@ void OsmBuilder::addDoorsOf(const TaggedFeature& feature, Point2 degrees) {
     if (levels.empty())
         for (const auto& [level, corners] : onOutlines) levels.push_back(level);
     if (levels.empty()) {
-        note(Severity::Warning, "osm-door-level",
-             "left out: it has no level and stands on no outline of a region", feature.id);
+        note(Severity::Warning, "osm-door-level", Sentence::OsmDoorLevel, feature.id);
         return;
     }
     double width = std::clamp(plainNumber(feature.tag("width")).value_or(kDoorWidthM), 0.5, 10.0);
@@ -195,8 +194,7 @@ void OsmBuilder::addOpening(const WalkLine& walk, std::size_t room, Point2 at) {
     for (const RegionId& side : {access.regionA, access.regionB})
         m_accessesOf[side].push_back(m_map.data.accesses.size());
     m_map.data.accesses.push_back(std::move(access));
-    note(Severity::Note, "osm-entrance-by-way",
-         "no door is drawn where a way leads into the room: an opening was put there", region.id.value);
+    note(Severity::Note, "osm-entrance-by-way", Sentence::OsmEntranceByWay, region.id.value);
 }
 
 void OsmBuilder::addSteps() {
@@ -225,12 +223,8 @@ void OsmBuilder::addFlight(const TaggedFeature& feature, const Polyline& line) {
     bool rises = upScore >= downScore;
     auto [first, last] = rises ? up : down;
     if (!feature.is("incline", "up") && !feature.is("incline", "down") && upScore == downScore)
-        note(Severity::Warning, "osm-steps-incline",
-             "nothing tells which end of the steps is up; the first was taken as the lower: add incline",
-             feature.id);
-    if (!first || !last)
-        note(Severity::Warning, "osm-steps-end",
-             "no region lies at an end of the steps: draw the area or way it leads to", feature.id);
+        note(Severity::Warning, "osm-steps-incline", Sentence::OsmStepsIncline, feature.id);
+    if (!first || !last) note(Severity::Warning, "osm-steps-end", Sentence::OsmStepsEnd, feature.id);
     Polyline climb = line;
     if (!rises) {
         std::reverse(climb.begin(), climb.end());
@@ -253,7 +247,7 @@ void OsmBuilder::addStairs(const TaggedFeature& feature, const Polyline& climb,
     auto foot = addStairsHalf(feature, lower, levels.first, width, ends.first);
     auto head = addStairsHalf(feature, upper, levels.second, width, ends.second);
     if (!foot || !head) {
-        note(Severity::Warning, "osm-steps-short", "steps left out: their line has no length", feature.id);
+        note(Severity::Warning, "osm-steps-short", Sentence::OsmStepsShort, feature.id);
         return;
     }
     bool moving = feature.has("conveying") && !feature.is("conveying", "no");
@@ -354,7 +348,7 @@ void OsmBuilder::addWalkway(const TaggedFeature& feature, const Polyline& line, 
     double width = std::clamp(plainNumber(feature.tag("width")).value_or(kStairsWidthM), 0.6, 10.0);
     auto strip = length(line) > 0.0 ? addStrip(feature, line, level, width, RegionKind::Other) : std::nullopt;
     if (!strip) {
-        note(Severity::Warning, "osm-steps-short", "steps left out: their line has no length", feature.id);
+        note(Severity::Warning, "osm-steps-short", Sentence::OsmStepsShort, feature.id);
         return;
     }
     Region& region = m_map.data.regions[*strip];
@@ -362,18 +356,12 @@ void OsmBuilder::addWalkway(const TaggedFeature& feature, const Polyline& line, 
     if (region.name.empty()) region.name = "Moving walkway " + std::to_string(++m_walkways[level]);
     OneWay way = osmConveying(feature);
     if (way == OneWay::No && !feature.is("conveying", "reversible"))
-        note(Severity::Warning, "osm-walkway-direction",
-             "nothing tells which way the walkway runs; it is taken to run both ways: set conveying to "
-             "forward "
-             "or backward",
-             feature.id);
+        note(Severity::Warning, "osm-walkway-direction", Sentence::OsmWalkwayDirection, feature.id);
     OneWay against = way == OneWay::No ? OneWay::No : way == OneWay::AToB ? OneWay::BToA : OneWay::AToB;
     auto first = regionAt(line.front(), level, kReachM), last = regionAt(line.back(), level, kReachM);
     if (first) addStripEnd(*strip, {line.rbegin(), line.rend()}, width, *first, way);
     if (last) addStripEnd(*strip, line, width, *last, against);
-    if (!first || !last)
-        note(Severity::Warning, "osm-walkway-end",
-             "no region lies at an end of the walkway: draw the area or way it leads to", feature.id);
+    if (!first || !last) note(Severity::Warning, "osm-walkway-end", Sentence::OsmWalkwayEnd, feature.id);
 }
 
 /// A lift that stands in an area and has no drawn door is still entered from there; on which side is not
@@ -402,9 +390,7 @@ void OsmBuilder::joinLonelyLifts() {
         access.regionA = lift.id;
         access.regionB = m_map.data.regions[*around].id;
         access.line = door;
-        note(Severity::Warning, "osm-lift-door",
-             "the lift has no drawn door; one was put on a side that is open: move it to its place",
-             lift.id.value);
+        note(Severity::Warning, "osm-lift-door", Sentence::OsmLiftDoor, lift.id.value);
         for (const RegionId& side : {access.regionA, access.regionB})
             m_accessesOf[side].push_back(m_map.data.accesses.size());
         m_map.data.accesses.push_back(std::move(access));

@@ -125,8 +125,7 @@ Result<std::vector<TaggedFeature>> readLayers(GDALDataset& dataset, const std::s
                                               std::vector<Finding>& findings) {
     GdalMessages messages;
     std::vector<TaggedFeature> features;
-    Finding broken{
-        Severity::Warning, "source-geometry", "features left out: they have no usable shape", context, {}};
+    Finding broken{Severity::Warning, "source-geometry", Sentence::ShapesUnusable, context, {}};
     dataset.ResetReading();
     for (;;) {
         OGRLayer* layer = nullptr;

@@ -138,7 +138,9 @@ Result<void> TableReader::read(const SourceMember& member) {
 TableReader::Layer TableReader::described(const std::string& name, const SourceMember& member) {
     Layer layer;
     layer.name = name;
-    layer.context = member.name + (member.name.find(name) == std::string::npos ? ", layer " + name : "");
+    layer.context = member.name.find(name) == std::string::npos
+                        ? said(Sentence::LayerOfFile, member.name, name).english()
+                        : member.name;
     layer.role = TableWords::roleOfLayer(name);
     layer.level = m_words.levelOfName(name);
     if (!layer.level) layer.level = m_words.levelOfName(member.name.substr(member.name.rfind('/') + 1));
@@ -157,10 +159,7 @@ Result<void> TableReader::readLayer(OGRLayer& source, const SourceMember& member
     bool table = source.GetGeomType() == wkbNone;
     if (table && layer.role != TableRole::Level) return {};
     if (layer.role == TableRole::Ignore || (layer.role == TableRole::Level && !table)) {
-        m_findings.add(Severity::Note, "layer-not-used",
-                       "layers hold no rooms, doors, walls or points by their name; a profile can "
-                       "say otherwise",
-                       layer.name, layer.context);
+        m_findings.add(Severity::Note, "layer-not-used", Sentence::LayersNotUsed, layer.name, layer.context);
         return {};
     }
     bool transform = !table && takeReference(source, layer);
@@ -175,8 +174,7 @@ Result<void> TableReader::readLayer(OGRLayer& source, const SourceMember& member
         else if (transform && row->GetGeometryRef() != nullptr &&
                  (!liesOnEarth(*row->GetGeometryRef()) ||
                   row->GetGeometryRef()->transformTo(m_reference.get()) != OGRERR_NONE))
-            m_findings.add(Severity::Warning, "feature-geometry",
-                           "features cannot be brought to the CRS of the other layers", layer.name,
+            m_findings.add(Severity::Warning, "feature-geometry", Sentence::FeaturesOtherCrs, layer.name,
                            idOf(*row, layer));
         else
             readFeature(*row, layer);
@@ -249,9 +247,7 @@ double TableReader::levelOf(Row row, const Layer& layer) {
     if (level) return *level;
     m_height = heightOf(row.GetGeometryRef());
     if (m_height) return 0.0; // until all heights are known
-    m_findings.add(Severity::Note, "level-assumed",
-                   "layers tell no level; the ground floor is assumed: name the field that holds the level",
-                   layer.name, layer.context);
+    m_findings.add(Severity::Note, "level-assumed", Sentence::LayersNoLevel, layer.name, layer.context);
     return 0.0;
 }
 
@@ -284,10 +280,8 @@ Result<void> TableReader::levelsFromHeights() {
         level.ref = formatNumber(level.ordinal);
         m_map.data.levels.push_back(std::move(level));
     }
-    m_findings.add(
-        Severity::Note, "level-by-height",
-        "levels were counted from the heights of the shapes, the one nearest to 0 as the ground floor",
-        "levels", formatNumber(levels.ground()));
+    m_findings.add(Severity::Note, "level-by-height", Sentence::LevelsByHeight, "levels",
+                   formatNumber(levels.ground()));
     return {};
 }
 
@@ -362,10 +356,7 @@ TableRole TableReader::roleFor(const TableKind& kind, const Layer& layer, const 
     if (!lines) return TableRole::Landmark;
     if (kind.role == TableRole::Unknown && kind.access != AccessKind::Door)
         return TableRole::Access; // stairs as a line
-    m_findings.add(Severity::Warning, "layer-role",
-                   "lines of layers that nothing names doors or walls are taken as walls; name the "
-                   "layer or give a profile",
-                   layer.name, layer.context);
+    m_findings.add(Severity::Warning, "layer-role", Sentence::LinesAsWalls, layer.name, layer.context);
     return TableRole::Wall;
 }
 
@@ -374,8 +365,8 @@ void TableReader::readFeature(Row row, Layer& layer) {
     Shapes shapes;
     if (geometry != nullptr && geometry->IsEmpty() == FALSE) readShapes(*geometry, shapes);
     if (shapes.polygons.empty() && shapes.lines.empty() && shapes.points.empty()) {
-        m_findings.add(Severity::Warning, "feature-geometry", "features have no geometry and were left out",
-                       layer.name, idOf(row, layer));
+        m_findings.add(Severity::Warning, "feature-geometry", Sentence::FeaturesNoGeometry, layer.name,
+                       idOf(row, layer));
         return;
     }
     std::string word = text(row, "kind");
@@ -399,10 +390,8 @@ void TableReader::readFeature(Row row, Layer& layer) {
 }
 
 void TableReader::tellUnknownKind(const std::string& word, const std::string& layer, const std::string& id) {
-    m_findings.add(Severity::Note, "code-unknown",
-                   "features have the code \"" + word.substr(0, 60) +
-                       "\", which nobody knows: name it under codes in a profile",
-                   layer, id);
+    m_findings.add(Severity::Note, "code-unknown", said(Sentence::CodeUnknown, word.substr(0, 60)), layer,
+                   id);
 }
 
 void TableReader::addRegions(Row row, const Layer& layer, const TableKind& kind, Shapes shapes) {
@@ -416,8 +405,7 @@ void TableReader::addRegions(Row row, const Layer& layer, const TableKind& kind,
     region.restricted = kind.restricted || flag(row, "restricted");
     region.extra = attributes(row);
     if (shapes.polygons.size() > 1)
-        m_findings.add(Severity::Warning, "region-split",
-                       "regions fell into several parts: each part is a region of its own", "regions", id);
+        m_findings.add(Severity::Warning, "region-split", Sentence::RegionsSplit, "regions", id);
     for (std::size_t part = 0; part < shapes.polygons.size(); ++part) {
         region.id = RegionId(partId(id, part));
         region.polygon = std::move(shapes.polygons[part]);
@@ -437,11 +425,8 @@ void TableReader::readDirection(Row row, Access& access, RawMap::LevelChange& ch
     change.up = climbDirection(way);
     access.oneWay = forth.count(way) != 0 ? OneWay::AToB : back.count(way) != 0 ? OneWay::BToA : OneWay::No;
     if (access.oneWay != OneWay::No || change.up || both.count(way) != 0) return;
-    m_findings.add(
-        Severity::Warning, "access-direction-unknown",
-        "accesses have a direction that nobody knows and are taken to be passed both ways: a_to_b, b_to_a, "
-        "up or down is wanted",
-        "accesses", access.id.value);
+    m_findings.add(Severity::Warning, "access-direction-unknown", Sentence::DirectionUnknown, "accesses",
+                   access.id.value);
 }
 
 void TableReader::addAccesses(Row row, const Layer& layer, const TableKind& kind, const Shapes& shapes) {
@@ -536,9 +521,8 @@ void TableReader::resolveReferences() {
     for (Landmark& landmark : m_map.data.landmarks) {
         onLevel(landmark.region, landmark.level);
         if (landmark.region.empty() || known.count(landmark.region.value) != 0) continue;
-        m_findings.add(Severity::Warning, "landmark-region-exists",
-                       "points name a region that does not exist; the one they lie in is taken", "landmarks",
-                       landmark.id.value);
+        m_findings.add(Severity::Warning, "landmark-region-exists", Sentence::PointsRegionMissing,
+                       "landmarks", landmark.id.value);
         landmark.region = RegionId();
     }
 }
@@ -562,11 +546,10 @@ Result<RawMap> TableReader::finish(const std::string& source) {
                      source};
     }
     if (!empty.empty())
-        m_findings.add({Severity::Warning, "layer-empty", "layers have no features: " + empty, "", {}});
+        m_findings.add({Severity::Warning, "layer-empty", said(Sentence::LayersEmpty, empty), "", {}});
     if (m_reference != nullptr && !m_withoutReference.empty())
         for (const std::string& layer : m_withoutReference)
-            m_findings.add(Severity::Warning, "crs-missing",
-                           "layers name no CRS; that of the other layers is taken", layer, layer);
+            m_findings.add(Severity::Warning, "crs-missing", Sentence::LayersNoCrs, layer, layer);
     if (auto done = levelsFromHeights(); !done) return Error{done.error().code, done.error().message, source};
     resolveReferences();
     m_map.findings = m_findings.take();

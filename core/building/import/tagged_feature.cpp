@@ -149,11 +149,7 @@ Result<TaggedCollection> collectionOf(const Json& json, const std::string& conte
     TaggedCollection collection;
     for (const auto& [key, value] : json.items())
         if (value.is_primitive() && !value.is_null()) collection.members[key] = plainText(value);
-    Finding broken{Severity::Warning,
-                   "source-geometry",
-                   "features left out: their coordinates are missing or no places on Earth",
-                   context,
-                   {}};
+    Finding broken{Severity::Warning, "source-geometry", Sentence::ShapesNotOnEarth, context, {}};
     for (const Json& one : *features) {
         bool good = false;
         TaggedFeature feature = one.is_object() ? featureOf(one, good) : TaggedFeature();

@@ -192,23 +192,15 @@ private:
     }
 
     void tell(const std::string& context) {
-        m_map.findings.push_back(
-            {Severity::Note,
-             "wrld-closed-spaces",
-             std::to_string(m_closed) +
-                 " spaces were closed from walls, doors and windows; they have no names, and "
-                 "whether they are rooms, corridors or halls is a guess from their doors and size",
-             context,
-             {}});
+        m_map.findings.push_back({Severity::Note,
+                                  "wrld-closed-spaces",
+                                  counted(Sentence::WrldSpacesClosed, m_closed),
+                                  context,
+                                  {}});
         if (!m_narrow.empty())
-            m_map.findings.push_back({Severity::Note, "wrld-narrow-spaces",
-                                      "strips under 0.3 m between walls were left out", context,
-                                      std::move(m_narrow)});
-        Finding half{Severity::Warning,
-                     "wrld-door-one-side",
-                     "no space lies on one side of the door: it leads outside, or a wall is missing",
-                     context,
-                     {}};
+            m_map.findings.push_back(
+                {Severity::Note, "wrld-narrow-spaces", Sentence::WrldNarrow, context, std::move(m_narrow)});
+        Finding half{Severity::Warning, "wrld-door-one-side", Sentence::WrldDoorOneSide, context, {}};
         for (const Access& access : m_map.data.accesses)
             if (access.regionA.empty() || access.regionB.empty()) half.ids.push_back(access.id.value);
         if (!half.ids.empty()) m_map.findings.push_back(std::move(half));

@@ -1,0 +1,23 @@
+#pragma once
+// What core says of a map, in the user's language. Core gives the sentence and what stands in its places; its
+// English text serves the command line alone.
+
+#include "core/building/sentence.h"
+
+#include <QString>
+
+#include <string>
+
+namespace farol::ui {
+
+class CoreWords {
+public:
+    /// As it stands in the table: to be put behind another text.
+    static QString phrase(const building::Message& message);
+    /// A sentence of its own, from its capital to its stop.
+    static QString sentence(const building::Message& message);
+    /// One of a finding's ids. Where a source gives none, core makes one of words.
+    static QString id(const std::string& id);
+};
+
+} // namespace farol::ui

@@ -658,6 +658,498 @@
         <source>%1, layer %2</source>
         <translation>%1, Layer %2</translation>
     </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1, feature %2</source>
+        <translation>%1, Objekt %2</translation>
+    </message>
+    <message>
+        <source>%1, feature number %2</source>
+        <translation>%1, Objekt Nummer %2</translation>
+    </message>
+    <message>
+        <source>%1, line %2</source>
+        <translation>%1, Zeile %2</translation>
+    </message>
+    <message>
+        <source>%1, level %2</source>
+        <translation>%1, Ebene %2</translation>
+    </message>
+    <message>
+        <source>%1 and %2 more</source>
+        <translation>%1 und %2 weitere</translation>
+    </message>
+    <message>
+        <source>there is no such file</source>
+        <translation>diese Datei gibt es nicht</translation>
+    </message>
+    <message>
+        <source>there is no such file or folder</source>
+        <translation>diese Datei oder diesen Ordner gibt es nicht</translation>
+    </message>
+    <message>
+        <source>is no file or folder</source>
+        <translation>ist weder Datei noch Ordner</translation>
+    </message>
+    <message>
+        <source>is a folder; a file is wanted</source>
+        <translation>ist ein Ordner; verlangt ist eine Datei</translation>
+    </message>
+    <message>
+        <source>holds no files</source>
+        <translation>enthält keine Dateien</translation>
+    </message>
+    <message>
+        <source>cannot be opened</source>
+        <translation>lässt sich nicht öffnen</translation>
+    </message>
+    <message>
+        <source>cannot be listed (%1)</source>
+        <translation>lässt sich nicht auflisten (%1)</translation>
+    </message>
+    <message>
+        <source>is not a map file that can be read</source>
+        <translation>ist keine lesbare Kartendatei</translation>
+    </message>
+    <message>
+        <source>cannot be read to its end</source>
+        <translation>lässt sich nicht bis zum Ende lesen</translation>
+    </message>
+    <message>
+        <source>cannot be read (%1)</source>
+        <translation>lässt sich nicht lesen (%1)</translation>
+    </message>
+    <message>
+        <source>cannot be imported (%1)</source>
+        <translation>lässt sich nicht importieren (%1)</translation>
+    </message>
+    <message>
+        <source>the map cannot be put together (%1)</source>
+        <translation>die Karte lässt sich nicht zusammensetzen (%1)</translation>
+    </message>
+    <message>
+        <source>reading the map failed: %1</source>
+        <translation>das Lesen der Karte ist fehlgeschlagen: %1</translation>
+    </message>
+    <message>
+        <source>is empty or cannot be read</source>
+        <translation>ist leer oder nicht lesbar</translation>
+    </message>
+    <message>
+        <source>is no indoor map of a kind that is known: %1 was tried as %2; name its kind, or give a profile with its column names</source>
+        <translation>ist keine Gebäudekarte einer bekannten Art: %1 wurde versucht als %2; nennen Sie die Art, oder geben Sie ein Profil mit den Spaltennamen an</translation>
+    </message>
+    <message>
+        <source>holds no file of the format %1</source>
+        <translation>enthält keine Datei des Formats %1</translation>
+    </message>
+    <message>
+        <source>is larger than 1 GB: too much for a map of a building</source>
+        <translation>ist größer als 1 GB: zu viel für die Karte eines Gebäudes</translation>
+    </message>
+    <message>
+        <source>is larger than %1 MB: no map of a building is</source>
+        <translation>ist größer als %1 MB: so groß ist keine Karte eines Gebäudes</translation>
+    </message>
+    <message>
+        <source>holds more than 10000 files: name the folder of one building</source>
+        <translation>enthält mehr als 10000 Dateien: nennen Sie den Ordner eines einzigen Gebäudes</translation>
+    </message>
+    <message>
+        <source>the database cannot be opened</source>
+        <translation>die Datenbank lässt sich nicht öffnen</translation>
+    </message>
+    <message>
+        <source>the zip holds more than 10000 files: no map of a building does</source>
+        <translation>das Zip enthält mehr als 10000 Dateien: so viele hat keine Karte eines Gebäudes</translation>
+    </message>
+    <message>
+        <source>a file in the zip has a name that leads out of it; the zip is not trusted</source>
+        <translation>eine Datei im Zip hat einen Namen, der aus ihm hinausführt; dem Zip wird nicht getraut</translation>
+    </message>
+    <message>
+        <source>the zip is locked by a password; unpack it first</source>
+        <translation>das Zip ist mit einem Passwort gesperrt; entpacken Sie es zuerst</translation>
+    </message>
+    <message>
+        <source>unpacks to %1 MB: too much for a map of a building</source>
+        <translation>ist entpackt %1 MB groß: zu viel für die Karte eines Gebäudes</translation>
+    </message>
+    <message>
+        <source>the zip&apos;s list of files is damaged; make the zip again</source>
+        <translation>die Dateiliste des Zips ist beschädigt; machen Sie das Zip neu</translation>
+    </message>
+    <message>
+        <source>the zip is cut off: its list of files is missing; copy it again</source>
+        <translation>das Zip ist abgeschnitten: seine Dateiliste fehlt; kopieren Sie es neu</translation>
+    </message>
+    <message>
+        <source>the zip is larger than any map; unpack it and name the folder</source>
+        <translation>das Zip ist größer als jede Karte; entpacken Sie es, und nennen Sie den Ordner</translation>
+    </message>
+    <message>
+        <source>the zip&apos;s list of files lies outside it; make the zip again</source>
+        <translation>die Dateiliste des Zips liegt außerhalb; machen Sie das Zip neu</translation>
+    </message>
+    <message>
+        <source>is a landmark library without a map: name the file of the building</source>
+        <translation>ist eine Sammlung von Landmarken ohne Karte: nennen Sie die Datei des Gebäudes</translation>
+    </message>
+    <message>
+        <source>is not a Farol map: it has no layer regions; import maps of another kind first</source>
+        <translation>ist keine Farol-Karte: der Layer regions fehlt; importieren Sie Karten anderer Art zuerst</translation>
+    </message>
+    <message>
+        <source>the map is in degrees (%1); metres are wanted: import or reproject it</source>
+        <translation>die Karte ist in Grad (%1); verlangt sind Meter: importieren oder projizieren Sie sie</translation>
+    </message>
+    <message>
+        <source>the map&apos;s unit is not the metre (%1): reproject it</source>
+        <translation>die Einheit der Karte ist nicht der Meter (%1): projizieren Sie sie</translation>
+    </message>
+    <message>
+        <source>the field %1 is missing; add and fill it</source>
+        <translation>das Feld %1 fehlt; fügen Sie es hinzu, und füllen Sie es aus</translation>
+    </message>
+    <message>
+        <source>the schema version &quot;%1&quot; is no version</source>
+        <translation>die Schemaversion „%1“ ist keine Version</translation>
+    </message>
+    <message>
+        <source>the map has schema version %1, this Farol knows %2: use a newer Farol</source>
+        <translation>die Karte hat Schemaversion %1, dieses Farol kennt %2: benutzen Sie ein neueres Farol</translation>
+    </message>
+    <message>
+        <source>the map has no regions; draw at least one</source>
+        <translation>die Karte hat keine Regionen; zeichnen Sie mindestens eine</translation>
+    </message>
+    <message>
+        <source>two features have this id; give each its own</source>
+        <translation>zwei Objekte haben diese Kennung; geben Sie jedem eine eigene</translation>
+    </message>
+    <message>
+        <source>this level is listed twice; remove one</source>
+        <translation>diese Ebene steht zweimal in der Liste; entfernen Sie eine</translation>
+    </message>
+    <message>
+        <source>oneway is &quot;%1&quot;; a_to_b, b_to_a or nothing is wanted</source>
+        <translation>oneway ist „%1“; verlangt ist a_to_b, b_to_a oder nichts</translation>
+    </message>
+    <message>
+        <source>has no %1; fill it in</source>
+        <translation>hat kein %1; füllen Sie es aus</translation>
+    </message>
+    <message>
+        <source>%1 is no number</source>
+        <translation>%1 ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>%1 is no whole number within reason</source>
+        <translation>%1 ist keine vernünftige ganze Zahl</translation>
+    </message>
+    <message>
+        <source>%1 is neither 0 nor 1</source>
+        <translation>%1 ist weder 0 noch 1</translation>
+    </message>
+    <message>
+        <source>level %1 is no floor of a building</source>
+        <translation>Ebene %1 ist kein Stockwerk eines Gebäudes</translation>
+    </message>
+    <message>
+        <source>has no geometry; a %1 is wanted</source>
+        <translation>hat keine Form; verlangt ist %1</translation>
+    </message>
+    <message>
+        <source>consists of %1 parts; a single %2 is wanted: split it and give each part its own id</source>
+        <translation>besteht aus %1 Teilen; verlangt ist ein einziger (%2): teilen Sie es, und geben Sie jedem Teil eine eigene Kennung</translation>
+    </message>
+    <message>
+        <source>has a coordinate that is no number</source>
+        <translation>hat eine Koordinate, die keine Zahl ist</translation>
+    </message>
+    <message>
+        <source>has a coordinate beyond any metric map</source>
+        <translation>hat eine Koordinate jenseits jeder Karte in Metern</translation>
+    </message>
+    <message>
+        <source>is an outline without an area</source>
+        <translation>ist ein Umriss ohne Fläche</translation>
+    </message>
+    <message>
+        <source>is a %1; a %2 is wanted</source>
+        <translation>ist %1; verlangt ist %2</translation>
+    </message>
+    <message>
+        <source>has no outline</source>
+        <translation>hat keinen Umriss</translation>
+    </message>
+    <message>
+        <source>there are no rooms, corridors or other areas in it: nothing to walk through</source>
+        <translation>es gibt darin keine Räume, Flure oder anderen Flächen: nichts, wo man gehen kann</translation>
+    </message>
+    <message>
+        <source>has %1 levels: no building has; the level stands in another attribute: name that one</source>
+        <translation>hat %1 Ebenen: so viele hat kein Gebäude; die Ebene steht in einem anderen Attribut: nennen Sie es</translation>
+    </message>
+    <message>
+        <source>the map has no coordinates</source>
+        <translation>die Karte hat keine Koordinaten</translation>
+    </message>
+    <message>
+        <source>geocentric coordinates are no plan of a floor; project them</source>
+        <translation>geozentrische Koordinaten sind kein Plan eines Stockwerks; projizieren Sie sie</translation>
+    </message>
+    <message>
+        <source>coordinates are beyond 100,000 km: they are no metres of a building</source>
+        <translation>die Koordinaten liegen jenseits von 100&#xa0;000 km: das sind keine Meter eines Gebäudes</translation>
+    </message>
+    <message>
+        <source>the coordinates do not lie where their CRS is defined</source>
+        <translation>die Koordinaten liegen nicht, wo ihr System definiert ist</translation>
+    </message>
+    <message>
+        <source>the CRS cannot be brought to metres</source>
+        <translation>das Koordinatensystem lässt sich nicht in Meter bringen</translation>
+    </message>
+    <message>
+        <source>holds more than a million features: no building does</source>
+        <translation>enthält mehr als eine Million Objekte: so viele hat kein Gebäude</translation>
+    </message>
+    <message>
+        <source>has more than 500,000 features: no building has</source>
+        <translation>enthält mehr als 500&#xa0;000 Objekte: so viele hat kein Gebäude</translation>
+    </message>
+    <message>
+        <source>the shapes have no heights (z) that levels could be taken from; name a column instead</source>
+        <translation>die Formen haben keine Höhen (z), denen man Ebenen entnehmen könnte; nennen Sie stattdessen eine Spalte</translation>
+    </message>
+    <message>
+        <source>holds no rooms, corridors or other areas to walk through: name the folder with all layers, or say what they are in a profile</source>
+        <translation>enthält keine Räume, Flure oder anderen Flächen, auf denen man gehen kann: nennen Sie den Ordner mit allen Layern, oder sagen Sie in einem Profil, was sie sind</translation>
+    </message>
+    <message>
+        <source>holds no rooms, corridors or other areas to walk through; %1 and what else is a door touches no region (access-joins-two-regions): name the folder with all layers, or say what they are in a profile</source>
+        <translation>enthält keine Räume, Flure oder anderen Flächen, auf denen man gehen kann; %1 und was sonst eine Tür ist, berührt keine Region: nennen Sie den Ordner mit allen Layern, oder sagen Sie in einem Profil, was sie sind</translation>
+    </message>
+    <message>
+        <source>holds no rooms, corridors or other areas to walk through; lines alone enclose no rooms (layer-role): name the folder with all layers, or say what they are in a profile</source>
+        <translation>enthält keine Räume, Flure oder anderen Flächen, auf denen man gehen kann; Linien allein umschließen keine Räume: nennen Sie den Ordner mit allen Layern, oder sagen Sie in einem Profil, was sie sind</translation>
+    </message>
+    <message>
+        <source>holds no rooms, corridors or other areas to walk through; there are no features in %1 (layer-empty): name the folder with all layers, or say what they are in a profile</source>
+        <translation>enthält keine Räume, Flure oder anderen Flächen, auf denen man gehen kann; in %1 gibt es keine Objekte: nennen Sie den Ordner mit allen Layern, oder sagen Sie in einem Profil, was sie sind</translation>
+    </message>
+    <message>
+        <source>is no GeoJSON FeatureCollection</source>
+        <translation>ist keine GeoJSON-FeatureCollection</translation>
+    </message>
+    <message>
+        <source>is nested deeper than any map</source>
+        <translation>ist tiefer verschachtelt als jede Karte</translation>
+    </message>
+    <message>
+        <source>is damaged JSON (%1)</source>
+        <translation>ist beschädigtes JSON (%1)</translation>
+    </message>
+    <message>
+        <source>is no JSON object with columns, codes, levels or layers</source>
+        <translation>ist kein JSON-Objekt mit columns, codes, levels oder layers</translation>
+    </message>
+    <message>
+        <source>there is no column meaning &quot;%1&quot;</source>
+        <translation>es gibt keine Spalte mit der Bedeutung „%1“</translation>
+    </message>
+    <message>
+        <source>the role of layer &quot;%1&quot; is unknown</source>
+        <translation>die Rolle des Layers „%1“ ist unbekannt</translation>
+    </message>
+    <message>
+        <source>makes more than 20,000 regions on its levels, or its ways cross too many of them: cut the building out of it</source>
+        <translation>ergibt mehr als 20&#xa0;000 Regionen auf seinen Ebenen, oder seine Wege kreuzen zu viele: schneiden Sie das Gebäude heraus</translation>
+    </message>
+    <message>
+        <source>holds no indoor areas: rooms, corridors and areas must be tagged indoor=* with a level</source>
+        <translation>enthält keine Innenflächen: Räume, Flure und Flächen müssen mit indoor=* und einer Ebene ausgezeichnet sein</translation>
+    </message>
+    <message>
+        <source>has more than 500,000 tagged features: cut the building out of it</source>
+        <translation>enthält mehr als 500&#xa0;000 ausgezeichnete Objekte: schneiden Sie das Gebäude heraus</translation>
+    </message>
+    <message>
+        <source>is damaged OpenStreetMap data</source>
+        <translation>ist eine beschädigte OpenStreetMap-Datei</translation>
+    </message>
+    <message>
+        <source>cannot be read as OpenStreetMap data</source>
+        <translation>lässt sich nicht als OpenStreetMap-Daten lesen</translation>
+    </message>
+    <message>
+        <source>holds no OpenStreetMap file (.osm, .osm.pbf or GeoJSON made of one)</source>
+        <translation>enthält keine OpenStreetMap-Datei (.osm, .osm.pbf oder daraus gemachtes GeoJSON)</translation>
+    </message>
+    <message>
+        <source>holds no unit.geojson: name the folder or zip of an IMDF venue</source>
+        <translation>enthält kein unit.geojson: nennen Sie den Ordner oder das Zip einer IMDF-Karte</translation>
+    </message>
+    <message>
+        <source>holds %1 IMDF venues: name the folder of one of them, such as %2</source>
+        <translation>enthält %1 IMDF-Karten: nennen Sie den Ordner einer davon, etwa %2</translation>
+    </message>
+    <message>
+        <source>has more than 20,000 nodes or facilities or 50,000 links: cut the building out of it</source>
+        <translation>enthält mehr als 20&#xa0;000 Knoten oder Einrichtungen oder 50&#xa0;000 Verbindungen: schneiden Sie das Gebäude heraus</translation>
+    </message>
+    <message>
+        <source>holds no node of a route network with a place</source>
+        <translation>enthält keinen Knoten eines Wegenetzes mit einem Ort</translation>
+    </message>
+    <message>
+        <source>has more than 200,000 features</source>
+        <translation>enthält mehr als 200&#xa0;000 Objekte</translation>
+    </message>
+    <message>
+        <source>is XML, but not IndoorGML (IndoorFeatures)</source>
+        <translation>ist XML, aber kein IndoorGML (IndoorFeatures)</translation>
+    </message>
+    <message>
+        <source>has more than 50,000 cells</source>
+        <translation>enthält mehr als 50&#xa0;000 Zellen</translation>
+    </message>
+    <message>
+        <source>has no cell with a usable outline: Farol needs CellSpace geometry</source>
+        <translation>hat keine Zelle mit brauchbarem Umriss: Farol braucht die Geometrie von CellSpace</translation>
+    </message>
+    <message>
+        <source>has no cells but doors: rooms and corridors are missing</source>
+        <translation>hat nur Zellen von Türen: Räume und Flure fehlen</translation>
+    </message>
+    <message>
+        <source>holds no IndoorGML file</source>
+        <translation>enthält keine IndoorGML-Datei</translation>
+    </message>
+    <message>
+        <source>is damaged XML: %1</source>
+        <translation>ist beschädigtes XML: %1</translation>
+    </message>
+    <message>
+        <source>has more than two million elements</source>
+        <translation>enthält mehr als zwei Millionen Elemente</translation>
+    </message>
+    <message>
+        <source>is nested deeper than 100 elements</source>
+        <translation>ist über mehr als 100 Elemente verschachtelt</translation>
+    </message>
+    <message>
+        <source>declares entities, which no map needs</source>
+        <translation>erklärt Entitäten, die keine Karte braucht</translation>
+    </message>
+    <message>
+        <source>lists no levels, as main.json of a WRLD map does</source>
+        <translation>listet keine Ebenen auf, wie es das main.json einer WRLD-Karte tut</translation>
+    </message>
+    <message>
+        <source>lists more than 300 levels</source>
+        <translation>listet mehr als 300 Ebenen auf</translation>
+    </message>
+    <message>
+        <source>a level has no z_order of its own</source>
+        <translation>eine Ebene hat kein eigenes z_order</translation>
+    </message>
+    <message>
+        <source>no floor has a room or an outline with walls</source>
+        <translation>kein Stockwerk hat einen Raum oder einen Umriss mit Wänden</translation>
+    </message>
+    <message>
+        <source>the floor&apos;s file &quot;%1&quot; is missing: import the folder or zip that holds it</source>
+        <translation>die Datei des Stockwerks, „%1“, fehlt: importieren Sie den Ordner oder das Zip, das sie enthält</translation>
+    </message>
+    <message>
+        <source>has more than 10,000 features on a floor or 40,000 in all: no building has</source>
+        <translation>enthält mehr als 10&#xa0;000 Objekte auf einem Stockwerk oder 40&#xa0;000 insgesamt: so viele hat kein Gebäude</translation>
+    </message>
+    <message>
+        <source>holds no main.json: name the folder or zip of the WRLD map</source>
+        <translation>enthält kein main.json: nennen Sie den Ordner oder das Zip der WRLD-Karte</translation>
+    </message>
+    <message>
+        <source>is damaged (%1)</source>
+        <translation>ist beschädigt (%1)</translation>
+    </message>
+    <message>
+        <source>the region has no outline</source>
+        <translation>die Region hat keinen Umriss</translation>
+    </message>
+    <message>
+        <source>the access has no place on the map</source>
+        <translation>der Durchgang hat keinen Ort auf der Karte</translation>
+    </message>
+    <message>
+        <source>both sides are the same region: choose another one</source>
+        <translation>beide Seiten sind dieselbe Region: wählen Sie eine andere</translation>
+    </message>
+    <message>
+        <source>the width must be above 0 m, and the steps 0 or more</source>
+        <translation>die Breite muss über 0&#xa0;m liegen, die Stufen bei 0 oder mehr</translation>
+    </message>
+    <message>
+        <source>the landmark has no place on the map</source>
+        <translation>die Landmarke hat keinen Ort auf der Karte</translation>
+    </message>
+    <message>
+        <source>the width and the height of the object must be above 0 m</source>
+        <translation>Breite und Höhe des Gegenstands müssen über 0&#xa0;m liegen</translation>
+    </message>
+    <message>
+        <source>the map has this name already</source>
+        <translation>die Karte hat diesen Namen schon</translation>
+    </message>
+    <message>
+        <source>the map does not hold it any more</source>
+        <translation>die Karte enthält es nicht mehr</translation>
+    </message>
+    <message>
+        <source>the map there is of a later Farol; save under another name or use the newer Farol</source>
+        <translation>die Karte dort ist von einem späteren Farol; speichern Sie unter einem anderen Namen, oder benutzen Sie das neuere Farol</translation>
+    </message>
+    <message>
+        <source>is another kind of file; save under a name that ends in .gpkg</source>
+        <translation>ist eine andere Art von Datei; speichern Sie unter einem Namen, der auf .gpkg endet</translation>
+    </message>
+    <message>
+        <source>another program has the file open and writes to it; close it there and save again</source>
+        <translation>ein anderes Programm hat die Datei offen und schreibt hinein; schließen Sie sie dort, und speichern Sie noch einmal</translation>
+    </message>
+    <message>
+        <source>the disk is full: free some space and save again; what was there before is untouched</source>
+        <translation>die Platte ist voll: schaffen Sie Platz, und speichern Sie noch einmal; was vorher da war, ist unberührt</translation>
+    </message>
+    <message>
+        <source>the map was changed by someone else since it was read; nothing was written: read it again and repeat the change</source>
+        <translation>jemand anderes hat die Karte geändert, seit sie gelesen wurde; nichts wurde geschrieben: lesen Sie sie neu, und wiederholen Sie die Änderung</translation>
+    </message>
+    <message>
+        <source>there is no field level; level 0 is assumed</source>
+        <translation>das Feld level fehlt; Ebene 0 wird angenommen</translation>
+    </message>
+    <message>
+        <source>there is no layer %1</source>
+        <translation>der Layer %1 fehlt</translation>
+    </message>
+    <message>
+        <source>%1 do not join two regions and are not walked through: %2</source>
+        <translation>%1 verbinden nicht zwei Regionen, und niemand wird hindurchgeführt: %2</translation>
+    </message>
+    <message>
+        <source>unknown kind &quot;%1&quot;, treated as other: %2</source>
+        <translation>unbekannte Art „%1“, als sonstige behandelt: %2</translation>
+    </message>
+    <message>
+        <source>no kind, treated as other: %1</source>
+        <translation>ohne Art, als sonstige behandelt: %1</translation>
+    </message>
 </context>
 <context>
     <name>farol::Options</name>

@@ -658,6 +658,498 @@
         <source>%1, layer %2</source>
         <translation>%1, capa %2</translation>
     </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1, feature %2</source>
+        <translation>%1, elemento %2</translation>
+    </message>
+    <message>
+        <source>%1, feature number %2</source>
+        <translation>%1, elemento número %2</translation>
+    </message>
+    <message>
+        <source>%1, line %2</source>
+        <translation>%1, línea %2</translation>
+    </message>
+    <message>
+        <source>%1, level %2</source>
+        <translation>%1, planta %2</translation>
+    </message>
+    <message>
+        <source>%1 and %2 more</source>
+        <translation>%1 y %2 más</translation>
+    </message>
+    <message>
+        <source>there is no such file</source>
+        <translation>no existe ese archivo</translation>
+    </message>
+    <message>
+        <source>there is no such file or folder</source>
+        <translation>no existe ese archivo o carpeta</translation>
+    </message>
+    <message>
+        <source>is no file or folder</source>
+        <translation>no es un archivo ni una carpeta</translation>
+    </message>
+    <message>
+        <source>is a folder; a file is wanted</source>
+        <translation>es una carpeta; se quiere un archivo</translation>
+    </message>
+    <message>
+        <source>holds no files</source>
+        <translation>no contiene archivos</translation>
+    </message>
+    <message>
+        <source>cannot be opened</source>
+        <translation>no se puede abrir</translation>
+    </message>
+    <message>
+        <source>cannot be listed (%1)</source>
+        <translation>no se puede listar (%1)</translation>
+    </message>
+    <message>
+        <source>is not a map file that can be read</source>
+        <translation>no es un archivo de mapa que se pueda leer</translation>
+    </message>
+    <message>
+        <source>cannot be read to its end</source>
+        <translation>no se puede leer hasta el final</translation>
+    </message>
+    <message>
+        <source>cannot be read (%1)</source>
+        <translation>no se puede leer (%1)</translation>
+    </message>
+    <message>
+        <source>cannot be imported (%1)</source>
+        <translation>no se puede importar (%1)</translation>
+    </message>
+    <message>
+        <source>the map cannot be put together (%1)</source>
+        <translation>no se puede componer el mapa (%1)</translation>
+    </message>
+    <message>
+        <source>reading the map failed: %1</source>
+        <translation>la lectura del mapa falló: %1</translation>
+    </message>
+    <message>
+        <source>is empty or cannot be read</source>
+        <translation>está vacío o no se puede leer</translation>
+    </message>
+    <message>
+        <source>is no indoor map of a kind that is known: %1 was tried as %2; name its kind, or give a profile with its column names</source>
+        <translation>no es un mapa de interiores de un tipo conocido: %1 se probó como %2; indique el tipo, o dé un perfil con los nombres de las columnas</translation>
+    </message>
+    <message>
+        <source>holds no file of the format %1</source>
+        <translation>no contiene ningún archivo del formato %1</translation>
+    </message>
+    <message>
+        <source>is larger than 1 GB: too much for a map of a building</source>
+        <translation>ocupa más de 1 GB: demasiado para el mapa de un edificio</translation>
+    </message>
+    <message>
+        <source>is larger than %1 MB: no map of a building is</source>
+        <translation>ocupa más de %1 MB: ningún mapa de edificio los ocupa</translation>
+    </message>
+    <message>
+        <source>holds more than 10000 files: name the folder of one building</source>
+        <translation>contiene más de 10000 archivos: indique la carpeta de un solo edificio</translation>
+    </message>
+    <message>
+        <source>the database cannot be opened</source>
+        <translation>no se puede abrir la base de datos</translation>
+    </message>
+    <message>
+        <source>the zip holds more than 10000 files: no map of a building does</source>
+        <translation>el zip contiene más de 10000 archivos: ningún mapa de edificio los tiene</translation>
+    </message>
+    <message>
+        <source>a file in the zip has a name that leads out of it; the zip is not trusted</source>
+        <translation>un archivo del zip tiene un nombre que lleva fuera de él; el zip no es de fiar</translation>
+    </message>
+    <message>
+        <source>the zip is locked by a password; unpack it first</source>
+        <translation>el zip está cerrado con una contraseña; descomprímalo antes</translation>
+    </message>
+    <message>
+        <source>unpacks to %1 MB: too much for a map of a building</source>
+        <translation>descomprimido ocupa %1 MB: demasiado para el mapa de un edificio</translation>
+    </message>
+    <message>
+        <source>the zip&apos;s list of files is damaged; make the zip again</source>
+        <translation>la lista de archivos del zip está dañada; haga el zip de nuevo</translation>
+    </message>
+    <message>
+        <source>the zip is cut off: its list of files is missing; copy it again</source>
+        <translation>el zip está cortado: falta su lista de archivos; cópielo de nuevo</translation>
+    </message>
+    <message>
+        <source>the zip is larger than any map; unpack it and name the folder</source>
+        <translation>el zip es mayor que cualquier mapa; descomprímalo e indique la carpeta</translation>
+    </message>
+    <message>
+        <source>the zip&apos;s list of files lies outside it; make the zip again</source>
+        <translation>la lista de archivos del zip queda fuera de él; haga el zip de nuevo</translation>
+    </message>
+    <message>
+        <source>is a landmark library without a map: name the file of the building</source>
+        <translation>es una biblioteca de puntos de referencia sin mapa: indique el archivo del edificio</translation>
+    </message>
+    <message>
+        <source>is not a Farol map: it has no layer regions; import maps of another kind first</source>
+        <translation>no es un mapa de Farol: no tiene la capa regions; importe antes los mapas de otro tipo</translation>
+    </message>
+    <message>
+        <source>the map is in degrees (%1); metres are wanted: import or reproject it</source>
+        <translation>el mapa está en grados (%1); se quieren metros: impórtelo o reproyéctelo</translation>
+    </message>
+    <message>
+        <source>the map&apos;s unit is not the metre (%1): reproject it</source>
+        <translation>la unidad del mapa no es el metro (%1): reproyéctelo</translation>
+    </message>
+    <message>
+        <source>the field %1 is missing; add and fill it</source>
+        <translation>falta el campo %1; añádalo y rellénelo</translation>
+    </message>
+    <message>
+        <source>the schema version &quot;%1&quot; is no version</source>
+        <translation>la versión del esquema “%1” no es una versión</translation>
+    </message>
+    <message>
+        <source>the map has schema version %1, this Farol knows %2: use a newer Farol</source>
+        <translation>el mapa tiene la versión de esquema %1, y este Farol conoce la %2: use un Farol más nuevo</translation>
+    </message>
+    <message>
+        <source>the map has no regions; draw at least one</source>
+        <translation>el mapa no tiene regiones; dibuje al menos una</translation>
+    </message>
+    <message>
+        <source>two features have this id; give each its own</source>
+        <translation>dos elementos tienen este identificador; dé a cada uno el suyo</translation>
+    </message>
+    <message>
+        <source>this level is listed twice; remove one</source>
+        <translation>esta planta está dos veces en la lista; quite una</translation>
+    </message>
+    <message>
+        <source>oneway is &quot;%1&quot;; a_to_b, b_to_a or nothing is wanted</source>
+        <translation>oneway es “%1”; se quiere a_to_b, b_to_a o nada</translation>
+    </message>
+    <message>
+        <source>has no %1; fill it in</source>
+        <translation>no tiene %1; rellénelo</translation>
+    </message>
+    <message>
+        <source>%1 is no number</source>
+        <translation>%1 no es un número</translation>
+    </message>
+    <message>
+        <source>%1 is no whole number within reason</source>
+        <translation>%1 no es un número entero razonable</translation>
+    </message>
+    <message>
+        <source>%1 is neither 0 nor 1</source>
+        <translation>%1 no es 0 ni 1</translation>
+    </message>
+    <message>
+        <source>level %1 is no floor of a building</source>
+        <translation>la planta %1 no es una planta de un edificio</translation>
+    </message>
+    <message>
+        <source>has no geometry; a %1 is wanted</source>
+        <translation>no tiene forma; se quiere %1</translation>
+    </message>
+    <message>
+        <source>consists of %1 parts; a single %2 is wanted: split it and give each part its own id</source>
+        <translation>tiene %1 partes; se quiere una sola (%2): divídalo y dé a cada parte su identificador</translation>
+    </message>
+    <message>
+        <source>has a coordinate that is no number</source>
+        <translation>tiene una coordenada que no es un número</translation>
+    </message>
+    <message>
+        <source>has a coordinate beyond any metric map</source>
+        <translation>tiene una coordenada fuera de cualquier mapa en metros</translation>
+    </message>
+    <message>
+        <source>is an outline without an area</source>
+        <translation>es un contorno sin superficie</translation>
+    </message>
+    <message>
+        <source>is a %1; a %2 is wanted</source>
+        <translation>es %1; se quiere %2</translation>
+    </message>
+    <message>
+        <source>has no outline</source>
+        <translation>no tiene contorno</translation>
+    </message>
+    <message>
+        <source>there are no rooms, corridors or other areas in it: nothing to walk through</source>
+        <translation>no hay en él salas, pasillos ni otras áreas: nada por donde andar</translation>
+    </message>
+    <message>
+        <source>has %1 levels: no building has; the level stands in another attribute: name that one</source>
+        <translation>tiene %1 plantas: ningún edificio las tiene; la planta está en otro atributo: indíquelo</translation>
+    </message>
+    <message>
+        <source>the map has no coordinates</source>
+        <translation>el mapa no tiene coordenadas</translation>
+    </message>
+    <message>
+        <source>geocentric coordinates are no plan of a floor; project them</source>
+        <translation>las coordenadas geocéntricas no son el plano de una planta; proyéctelas</translation>
+    </message>
+    <message>
+        <source>coordinates are beyond 100,000 km: they are no metres of a building</source>
+        <translation>las coordenadas pasan de 100&#xa0;000 km: no son metros de un edificio</translation>
+    </message>
+    <message>
+        <source>the coordinates do not lie where their CRS is defined</source>
+        <translation>las coordenadas no están donde su sistema está definido</translation>
+    </message>
+    <message>
+        <source>the CRS cannot be brought to metres</source>
+        <translation>no se puede pasar el sistema de coordenadas a metros</translation>
+    </message>
+    <message>
+        <source>holds more than a million features: no building does</source>
+        <translation>tiene más de un millón de elementos: ningún edificio los tiene</translation>
+    </message>
+    <message>
+        <source>has more than 500,000 features: no building has</source>
+        <translation>tiene más de 500&#xa0;000 elementos: ningún edificio los tiene</translation>
+    </message>
+    <message>
+        <source>the shapes have no heights (z) that levels could be taken from; name a column instead</source>
+        <translation>las formas no tienen alturas (z) de las que deducir las plantas; indique en su lugar una columna</translation>
+    </message>
+    <message>
+        <source>holds no rooms, corridors or other areas to walk through: name the folder with all layers, or say what they are in a profile</source>
+        <translation>no contiene salas, pasillos ni otras áreas por donde andar: indique la carpeta con todas las capas, o diga en un perfil qué son</translation>
+    </message>
+    <message>
+        <source>holds no rooms, corridors or other areas to walk through; %1 and what else is a door touches no region (access-joins-two-regions): name the folder with all layers, or say what they are in a profile</source>
+        <translation>no contiene salas, pasillos ni otras áreas por donde andar; %1 y lo demás que es puerta no tocan ninguna región: indique la carpeta con todas las capas, o diga en un perfil qué son</translation>
+    </message>
+    <message>
+        <source>holds no rooms, corridors or other areas to walk through; lines alone enclose no rooms (layer-role): name the folder with all layers, or say what they are in a profile</source>
+        <translation>no contiene salas, pasillos ni otras áreas por donde andar; las líneas solas no encierran salas: indique la carpeta con todas las capas, o diga en un perfil qué son</translation>
+    </message>
+    <message>
+        <source>holds no rooms, corridors or other areas to walk through; there are no features in %1 (layer-empty): name the folder with all layers, or say what they are in a profile</source>
+        <translation>no contiene salas, pasillos ni otras áreas por donde andar; no hay elementos en %1: indique la carpeta con todas las capas, o diga en un perfil qué son</translation>
+    </message>
+    <message>
+        <source>is no GeoJSON FeatureCollection</source>
+        <translation>no es una FeatureCollection de GeoJSON</translation>
+    </message>
+    <message>
+        <source>is nested deeper than any map</source>
+        <translation>está anidado más hondo que cualquier mapa</translation>
+    </message>
+    <message>
+        <source>is damaged JSON (%1)</source>
+        <translation>es JSON dañado (%1)</translation>
+    </message>
+    <message>
+        <source>is no JSON object with columns, codes, levels or layers</source>
+        <translation>no es un objeto JSON con columns, codes, levels o layers</translation>
+    </message>
+    <message>
+        <source>there is no column meaning &quot;%1&quot;</source>
+        <translation>no hay ninguna columna que signifique “%1”</translation>
+    </message>
+    <message>
+        <source>the role of layer &quot;%1&quot; is unknown</source>
+        <translation>el papel de la capa “%1” es desconocido</translation>
+    </message>
+    <message>
+        <source>makes more than 20,000 regions on its levels, or its ways cross too many of them: cut the building out of it</source>
+        <translation>da más de 20&#xa0;000 regiones en sus plantas, o sus caminos cruzan demasiadas: recorte de él el edificio</translation>
+    </message>
+    <message>
+        <source>holds no indoor areas: rooms, corridors and areas must be tagged indoor=* with a level</source>
+        <translation>no contiene áreas interiores: salas, pasillos y áreas deben llevar la etiqueta indoor=* con una planta</translation>
+    </message>
+    <message>
+        <source>has more than 500,000 tagged features: cut the building out of it</source>
+        <translation>tiene más de 500&#xa0;000 elementos con etiquetas: recorte de él el edificio</translation>
+    </message>
+    <message>
+        <source>is damaged OpenStreetMap data</source>
+        <translation>son datos de OpenStreetMap dañados</translation>
+    </message>
+    <message>
+        <source>cannot be read as OpenStreetMap data</source>
+        <translation>no se puede leer como datos de OpenStreetMap</translation>
+    </message>
+    <message>
+        <source>holds no OpenStreetMap file (.osm, .osm.pbf or GeoJSON made of one)</source>
+        <translation>no contiene ningún archivo de OpenStreetMap (.osm, .osm.pbf o GeoJSON hecho de uno)</translation>
+    </message>
+    <message>
+        <source>holds no unit.geojson: name the folder or zip of an IMDF venue</source>
+        <translation>no contiene unit.geojson: indique la carpeta o el zip de un mapa IMDF</translation>
+    </message>
+    <message>
+        <source>holds %1 IMDF venues: name the folder of one of them, such as %2</source>
+        <translation>contiene %1 mapas IMDF: indique la carpeta de uno de ellos, como %2</translation>
+    </message>
+    <message>
+        <source>has more than 20,000 nodes or facilities or 50,000 links: cut the building out of it</source>
+        <translation>tiene más de 20&#xa0;000 nodos o instalaciones o 50&#xa0;000 enlaces: recorte de él el edificio</translation>
+    </message>
+    <message>
+        <source>holds no node of a route network with a place</source>
+        <translation>no contiene ningún nodo de una red de caminos con lugar</translation>
+    </message>
+    <message>
+        <source>has more than 200,000 features</source>
+        <translation>tiene más de 200&#xa0;000 elementos</translation>
+    </message>
+    <message>
+        <source>is XML, but not IndoorGML (IndoorFeatures)</source>
+        <translation>es XML, pero no IndoorGML (IndoorFeatures)</translation>
+    </message>
+    <message>
+        <source>has more than 50,000 cells</source>
+        <translation>tiene más de 50&#xa0;000 celdas</translation>
+    </message>
+    <message>
+        <source>has no cell with a usable outline: Farol needs CellSpace geometry</source>
+        <translation>no tiene ninguna celda con contorno utilizable: Farol necesita la geometría de CellSpace</translation>
+    </message>
+    <message>
+        <source>has no cells but doors: rooms and corridors are missing</source>
+        <translation>solo tiene celdas de puertas: faltan salas y pasillos</translation>
+    </message>
+    <message>
+        <source>holds no IndoorGML file</source>
+        <translation>no contiene ningún archivo IndoorGML</translation>
+    </message>
+    <message>
+        <source>is damaged XML: %1</source>
+        <translation>es XML dañado: %1</translation>
+    </message>
+    <message>
+        <source>has more than two million elements</source>
+        <translation>tiene más de dos millones de elementos</translation>
+    </message>
+    <message>
+        <source>is nested deeper than 100 elements</source>
+        <translation>tiene más de 100 niveles de elementos anidados</translation>
+    </message>
+    <message>
+        <source>declares entities, which no map needs</source>
+        <translation>declara entidades, que ningún mapa necesita</translation>
+    </message>
+    <message>
+        <source>lists no levels, as main.json of a WRLD map does</source>
+        <translation>no lista plantas, como hace el main.json de un mapa WRLD</translation>
+    </message>
+    <message>
+        <source>lists more than 300 levels</source>
+        <translation>lista más de 300 plantas</translation>
+    </message>
+    <message>
+        <source>a level has no z_order of its own</source>
+        <translation>una planta no tiene z_order propio</translation>
+    </message>
+    <message>
+        <source>no floor has a room or an outline with walls</source>
+        <translation>ninguna planta tiene una sala o un contorno con paredes</translation>
+    </message>
+    <message>
+        <source>the floor&apos;s file &quot;%1&quot; is missing: import the folder or zip that holds it</source>
+        <translation>falta el archivo de la planta, “%1”: importe la carpeta o el zip que lo contiene</translation>
+    </message>
+    <message>
+        <source>has more than 10,000 features on a floor or 40,000 in all: no building has</source>
+        <translation>tiene más de 10&#xa0;000 elementos en una planta o 40&#xa0;000 en total: ningún edificio los tiene</translation>
+    </message>
+    <message>
+        <source>holds no main.json: name the folder or zip of the WRLD map</source>
+        <translation>no contiene main.json: indique la carpeta o el zip del mapa WRLD</translation>
+    </message>
+    <message>
+        <source>is damaged (%1)</source>
+        <translation>está dañado (%1)</translation>
+    </message>
+    <message>
+        <source>the region has no outline</source>
+        <translation>la región no tiene contorno</translation>
+    </message>
+    <message>
+        <source>the access has no place on the map</source>
+        <translation>el paso no tiene lugar en el mapa</translation>
+    </message>
+    <message>
+        <source>both sides are the same region: choose another one</source>
+        <translation>ambos lados son la misma región: elija otra</translation>
+    </message>
+    <message>
+        <source>the width must be above 0 m, and the steps 0 or more</source>
+        <translation>la anchura debe ser mayor que 0&#xa0;m, y los escalones 0 o más</translation>
+    </message>
+    <message>
+        <source>the landmark has no place on the map</source>
+        <translation>el punto de referencia no tiene lugar en el mapa</translation>
+    </message>
+    <message>
+        <source>the width and the height of the object must be above 0 m</source>
+        <translation>la anchura y la altura del objeto deben ser mayores que 0&#xa0;m</translation>
+    </message>
+    <message>
+        <source>the map has this name already</source>
+        <translation>el mapa ya tiene este nombre</translation>
+    </message>
+    <message>
+        <source>the map does not hold it any more</source>
+        <translation>el mapa ya no lo tiene</translation>
+    </message>
+    <message>
+        <source>the map there is of a later Farol; save under another name or use the newer Farol</source>
+        <translation>el mapa que hay allí es de un Farol posterior; guarde con otro nombre o use el Farol más nuevo</translation>
+    </message>
+    <message>
+        <source>is another kind of file; save under a name that ends in .gpkg</source>
+        <translation>es otro tipo de archivo; guarde con un nombre que acabe en .gpkg</translation>
+    </message>
+    <message>
+        <source>another program has the file open and writes to it; close it there and save again</source>
+        <translation>otro programa tiene el archivo abierto y escribe en él; ciérrelo allí y guarde de nuevo</translation>
+    </message>
+    <message>
+        <source>the disk is full: free some space and save again; what was there before is untouched</source>
+        <translation>el disco está lleno: libere espacio y guarde de nuevo; lo que había antes está intacto</translation>
+    </message>
+    <message>
+        <source>the map was changed by someone else since it was read; nothing was written: read it again and repeat the change</source>
+        <translation>otra persona ha cambiado el mapa desde que se leyó; no se escribió nada: léalo de nuevo y repita el cambio</translation>
+    </message>
+    <message>
+        <source>there is no field level; level 0 is assumed</source>
+        <translation>falta el campo level; se supone la planta 0</translation>
+    </message>
+    <message>
+        <source>there is no layer %1</source>
+        <translation>falta la capa %1</translation>
+    </message>
+    <message>
+        <source>%1 do not join two regions and are not walked through: %2</source>
+        <translation>%1 no unen dos regiones y no se pasa por ellos: %2</translation>
+    </message>
+    <message>
+        <source>unknown kind &quot;%1&quot;, treated as other: %2</source>
+        <translation>tipo desconocido “%1”, tratado como otro: %2</translation>
+    </message>
+    <message>
+        <source>no kind, treated as other: %1</source>
+        <translation>sin tipo, tratado como otro: %1</translation>
+    </message>
 </context>
 <context>
     <name>farol::Options</name>

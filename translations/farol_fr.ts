@@ -658,6 +658,498 @@
         <source>%1, layer %2</source>
         <translation>%1, couche %2</translation>
     </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>%1, feature %2</source>
+        <translation>%1, élément %2</translation>
+    </message>
+    <message>
+        <source>%1, feature number %2</source>
+        <translation>%1, élément numéro %2</translation>
+    </message>
+    <message>
+        <source>%1, line %2</source>
+        <translation>%1, ligne %2</translation>
+    </message>
+    <message>
+        <source>%1, level %2</source>
+        <translation>%1, niveau %2</translation>
+    </message>
+    <message>
+        <source>%1 and %2 more</source>
+        <translation>%1 et %2 de plus</translation>
+    </message>
+    <message>
+        <source>there is no such file</source>
+        <translation>ce fichier n&apos;existe pas</translation>
+    </message>
+    <message>
+        <source>there is no such file or folder</source>
+        <translation>ce fichier ou dossier n&apos;existe pas</translation>
+    </message>
+    <message>
+        <source>is no file or folder</source>
+        <translation>n&apos;est ni un fichier ni un dossier</translation>
+    </message>
+    <message>
+        <source>is a folder; a file is wanted</source>
+        <translation>est un dossier&#xa0;; il faut un fichier</translation>
+    </message>
+    <message>
+        <source>holds no files</source>
+        <translation>ne contient aucun fichier</translation>
+    </message>
+    <message>
+        <source>cannot be opened</source>
+        <translation>ne peut pas être ouvert</translation>
+    </message>
+    <message>
+        <source>cannot be listed (%1)</source>
+        <translation>ne peut pas être listé (%1)</translation>
+    </message>
+    <message>
+        <source>is not a map file that can be read</source>
+        <translation>n&apos;est pas un fichier de carte lisible</translation>
+    </message>
+    <message>
+        <source>cannot be read to its end</source>
+        <translation>ne peut pas être lu jusqu&apos;au bout</translation>
+    </message>
+    <message>
+        <source>cannot be read (%1)</source>
+        <translation>ne peut pas être lu (%1)</translation>
+    </message>
+    <message>
+        <source>cannot be imported (%1)</source>
+        <translation>ne peut pas être importé (%1)</translation>
+    </message>
+    <message>
+        <source>the map cannot be put together (%1)</source>
+        <translation>la carte ne peut pas être assemblée (%1)</translation>
+    </message>
+    <message>
+        <source>reading the map failed: %1</source>
+        <translation>la lecture de la carte a échoué&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>is empty or cannot be read</source>
+        <translation>est vide ou illisible</translation>
+    </message>
+    <message>
+        <source>is no indoor map of a kind that is known: %1 was tried as %2; name its kind, or give a profile with its column names</source>
+        <translation>n&apos;est pas un plan d&apos;intérieur d&apos;un type connu&#xa0;: %1 a été essayé comme %2&#xa0;; indiquez le type, ou donnez un profil avec les noms des colonnes</translation>
+    </message>
+    <message>
+        <source>holds no file of the format %1</source>
+        <translation>ne contient aucun fichier du format %1</translation>
+    </message>
+    <message>
+        <source>is larger than 1 GB: too much for a map of a building</source>
+        <translation>dépasse 1 Go&#xa0;: c&apos;est trop pour la carte d&apos;un bâtiment</translation>
+    </message>
+    <message>
+        <source>is larger than %1 MB: no map of a building is</source>
+        <translation>dépasse %1 Mo&#xa0;: aucune carte de bâtiment n&apos;est si grande</translation>
+    </message>
+    <message>
+        <source>holds more than 10000 files: name the folder of one building</source>
+        <translation>contient plus de 10000 fichiers&#xa0;: indiquez le dossier d&apos;un seul bâtiment</translation>
+    </message>
+    <message>
+        <source>the database cannot be opened</source>
+        <translation>la base de données ne peut pas être ouverte</translation>
+    </message>
+    <message>
+        <source>the zip holds more than 10000 files: no map of a building does</source>
+        <translation>le zip contient plus de 10000 fichiers&#xa0;: aucune carte de bâtiment n&apos;en a autant</translation>
+    </message>
+    <message>
+        <source>a file in the zip has a name that leads out of it; the zip is not trusted</source>
+        <translation>un fichier du zip a un nom qui mène hors de lui&#xa0;; le zip n&apos;est pas fiable</translation>
+    </message>
+    <message>
+        <source>the zip is locked by a password; unpack it first</source>
+        <translation>le zip est protégé par un mot de passe&#xa0;; décompressez-le d&apos;abord</translation>
+    </message>
+    <message>
+        <source>unpacks to %1 MB: too much for a map of a building</source>
+        <translation>fait %1 Mo une fois décompressé&#xa0;: c&apos;est trop pour la carte d&apos;un bâtiment</translation>
+    </message>
+    <message>
+        <source>the zip&apos;s list of files is damaged; make the zip again</source>
+        <translation>la liste des fichiers du zip est endommagée&#xa0;; refaites le zip</translation>
+    </message>
+    <message>
+        <source>the zip is cut off: its list of files is missing; copy it again</source>
+        <translation>le zip est tronqué&#xa0;: sa liste de fichiers manque&#xa0;; copiez-le de nouveau</translation>
+    </message>
+    <message>
+        <source>the zip is larger than any map; unpack it and name the folder</source>
+        <translation>le zip est plus grand que toute carte&#xa0;; décompressez-le et indiquez le dossier</translation>
+    </message>
+    <message>
+        <source>the zip&apos;s list of files lies outside it; make the zip again</source>
+        <translation>la liste des fichiers du zip est en dehors de lui&#xa0;; refaites le zip</translation>
+    </message>
+    <message>
+        <source>is a landmark library without a map: name the file of the building</source>
+        <translation>est une bibliothèque de repères sans carte&#xa0;: indiquez le fichier du bâtiment</translation>
+    </message>
+    <message>
+        <source>is not a Farol map: it has no layer regions; import maps of another kind first</source>
+        <translation>n&apos;est pas une carte de Farol&#xa0;: elle n&apos;a pas la couche regions&#xa0;; importez d&apos;abord les cartes d&apos;un autre type</translation>
+    </message>
+    <message>
+        <source>the map is in degrees (%1); metres are wanted: import or reproject it</source>
+        <translation>la carte est en degrés (%1)&#xa0;; il faut des mètres&#xa0;: importez-la ou reprojetez-la</translation>
+    </message>
+    <message>
+        <source>the map&apos;s unit is not the metre (%1): reproject it</source>
+        <translation>l&apos;unité de la carte n&apos;est pas le mètre (%1)&#xa0;: reprojetez-la</translation>
+    </message>
+    <message>
+        <source>the field %1 is missing; add and fill it</source>
+        <translation>le champ %1 manque&#xa0;; ajoutez-le et remplissez-le</translation>
+    </message>
+    <message>
+        <source>the schema version &quot;%1&quot; is no version</source>
+        <translation>la version de schéma «&#xa0;%1&#xa0;» n&apos;en est pas une</translation>
+    </message>
+    <message>
+        <source>the map has schema version %1, this Farol knows %2: use a newer Farol</source>
+        <translation>la carte a la version de schéma %1, ce Farol connaît la %2&#xa0;: utilisez un Farol plus récent</translation>
+    </message>
+    <message>
+        <source>the map has no regions; draw at least one</source>
+        <translation>la carte n&apos;a pas de régions&#xa0;; dessinez-en au moins une</translation>
+    </message>
+    <message>
+        <source>two features have this id; give each its own</source>
+        <translation>deux éléments ont cet identifiant&#xa0;; donnez à chacun le sien</translation>
+    </message>
+    <message>
+        <source>this level is listed twice; remove one</source>
+        <translation>ce niveau figure deux fois dans la liste&#xa0;; retirez-en un</translation>
+    </message>
+    <message>
+        <source>oneway is &quot;%1&quot;; a_to_b, b_to_a or nothing is wanted</source>
+        <translation>oneway est «&#xa0;%1&#xa0;»&#xa0;; il faut a_to_b, b_to_a ou rien</translation>
+    </message>
+    <message>
+        <source>has no %1; fill it in</source>
+        <translation>n&apos;a pas de %1&#xa0;; remplissez-le</translation>
+    </message>
+    <message>
+        <source>%1 is no number</source>
+        <translation>%1 n&apos;est pas un nombre</translation>
+    </message>
+    <message>
+        <source>%1 is no whole number within reason</source>
+        <translation>%1 n&apos;est pas un nombre entier raisonnable</translation>
+    </message>
+    <message>
+        <source>%1 is neither 0 nor 1</source>
+        <translation>%1 n&apos;est ni 0 ni 1</translation>
+    </message>
+    <message>
+        <source>level %1 is no floor of a building</source>
+        <translation>le niveau %1 n&apos;est pas celui d&apos;un bâtiment</translation>
+    </message>
+    <message>
+        <source>has no geometry; a %1 is wanted</source>
+        <translation>n&apos;a pas de forme&#xa0;; il faut %1</translation>
+    </message>
+    <message>
+        <source>consists of %1 parts; a single %2 is wanted: split it and give each part its own id</source>
+        <translation>a %1 parties&#xa0;; il en faut une seule (%2)&#xa0;: divisez-le et donnez à chaque partie son identifiant</translation>
+    </message>
+    <message>
+        <source>has a coordinate that is no number</source>
+        <translation>a une coordonnée qui n&apos;est pas un nombre</translation>
+    </message>
+    <message>
+        <source>has a coordinate beyond any metric map</source>
+        <translation>a une coordonnée au-delà de toute carte en mètres</translation>
+    </message>
+    <message>
+        <source>is an outline without an area</source>
+        <translation>est un contour sans surface</translation>
+    </message>
+    <message>
+        <source>is a %1; a %2 is wanted</source>
+        <translation>est %1&#xa0;; il faut %2</translation>
+    </message>
+    <message>
+        <source>has no outline</source>
+        <translation>n&apos;a pas de contour</translation>
+    </message>
+    <message>
+        <source>there are no rooms, corridors or other areas in it: nothing to walk through</source>
+        <translation>il n&apos;y a ni salles, ni couloirs, ni autres surfaces&#xa0;: rien où marcher</translation>
+    </message>
+    <message>
+        <source>has %1 levels: no building has; the level stands in another attribute: name that one</source>
+        <translation>a %1 niveaux&#xa0;: aucun bâtiment n&apos;en a autant&#xa0;; le niveau est dans un autre attribut&#xa0;: indiquez-le</translation>
+    </message>
+    <message>
+        <source>the map has no coordinates</source>
+        <translation>la carte n&apos;a pas de coordonnées</translation>
+    </message>
+    <message>
+        <source>geocentric coordinates are no plan of a floor; project them</source>
+        <translation>des coordonnées géocentriques ne sont pas le plan d&apos;un étage&#xa0;; projetez-les</translation>
+    </message>
+    <message>
+        <source>coordinates are beyond 100,000 km: they are no metres of a building</source>
+        <translation>les coordonnées dépassent 100&#xa0;000 km&#xa0;: ce ne sont pas les mètres d&apos;un bâtiment</translation>
+    </message>
+    <message>
+        <source>the coordinates do not lie where their CRS is defined</source>
+        <translation>les coordonnées ne sont pas là où leur système est défini</translation>
+    </message>
+    <message>
+        <source>the CRS cannot be brought to metres</source>
+        <translation>le système de coordonnées ne peut pas être converti en mètres</translation>
+    </message>
+    <message>
+        <source>holds more than a million features: no building does</source>
+        <translation>contient plus d&apos;un million d&apos;éléments&#xa0;: aucun bâtiment n&apos;en a autant</translation>
+    </message>
+    <message>
+        <source>has more than 500,000 features: no building has</source>
+        <translation>contient plus de 500&#xa0;000 éléments&#xa0;: aucun bâtiment n&apos;en a autant</translation>
+    </message>
+    <message>
+        <source>the shapes have no heights (z) that levels could be taken from; name a column instead</source>
+        <translation>les formes n&apos;ont pas de hauteurs (z) d&apos;où déduire les niveaux&#xa0;; indiquez plutôt une colonne</translation>
+    </message>
+    <message>
+        <source>holds no rooms, corridors or other areas to walk through: name the folder with all layers, or say what they are in a profile</source>
+        <translation>ne contient ni salles, ni couloirs, ni autres surfaces où marcher&#xa0;: indiquez le dossier avec toutes les couches, ou dites dans un profil ce qu&apos;elles sont</translation>
+    </message>
+    <message>
+        <source>holds no rooms, corridors or other areas to walk through; %1 and what else is a door touches no region (access-joins-two-regions): name the folder with all layers, or say what they are in a profile</source>
+        <translation>ne contient ni salles, ni couloirs, ni autres surfaces où marcher&#xa0;; %1 et les autres portes ne touchent aucune région&#xa0;: indiquez le dossier avec toutes les couches, ou dites dans un profil ce qu&apos;elles sont</translation>
+    </message>
+    <message>
+        <source>holds no rooms, corridors or other areas to walk through; lines alone enclose no rooms (layer-role): name the folder with all layers, or say what they are in a profile</source>
+        <translation>ne contient ni salles, ni couloirs, ni autres surfaces où marcher&#xa0;; les lignes seules n&apos;entourent pas de salles&#xa0;: indiquez le dossier avec toutes les couches, ou dites dans un profil ce qu&apos;elles sont</translation>
+    </message>
+    <message>
+        <source>holds no rooms, corridors or other areas to walk through; there are no features in %1 (layer-empty): name the folder with all layers, or say what they are in a profile</source>
+        <translation>ne contient ni salles, ni couloirs, ni autres surfaces où marcher&#xa0;; il n&apos;y a pas d&apos;éléments dans %1&#xa0;: indiquez le dossier avec toutes les couches, ou dites dans un profil ce qu&apos;elles sont</translation>
+    </message>
+    <message>
+        <source>is no GeoJSON FeatureCollection</source>
+        <translation>n&apos;est pas une FeatureCollection de GeoJSON</translation>
+    </message>
+    <message>
+        <source>is nested deeper than any map</source>
+        <translation>est imbriqué plus profondément que toute carte</translation>
+    </message>
+    <message>
+        <source>is damaged JSON (%1)</source>
+        <translation>est du JSON endommagé (%1)</translation>
+    </message>
+    <message>
+        <source>is no JSON object with columns, codes, levels or layers</source>
+        <translation>n&apos;est pas un objet JSON avec columns, codes, levels ou layers</translation>
+    </message>
+    <message>
+        <source>there is no column meaning &quot;%1&quot;</source>
+        <translation>il n&apos;y a pas de colonne de sens «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>the role of layer &quot;%1&quot; is unknown</source>
+        <translation>le rôle de la couche «&#xa0;%1&#xa0;» est inconnu</translation>
+    </message>
+    <message>
+        <source>makes more than 20,000 regions on its levels, or its ways cross too many of them: cut the building out of it</source>
+        <translation>donne plus de 20&#xa0;000 régions sur ses niveaux, ou ses chemins en croisent trop&#xa0;: découpez-en le bâtiment</translation>
+    </message>
+    <message>
+        <source>holds no indoor areas: rooms, corridors and areas must be tagged indoor=* with a level</source>
+        <translation>ne contient pas de surfaces intérieures&#xa0;: salles, couloirs et zones doivent porter l&apos;étiquette indoor=* avec un niveau</translation>
+    </message>
+    <message>
+        <source>has more than 500,000 tagged features: cut the building out of it</source>
+        <translation>contient plus de 500&#xa0;000 éléments étiquetés&#xa0;: découpez-en le bâtiment</translation>
+    </message>
+    <message>
+        <source>is damaged OpenStreetMap data</source>
+        <translation>est un fichier OpenStreetMap endommagé</translation>
+    </message>
+    <message>
+        <source>cannot be read as OpenStreetMap data</source>
+        <translation>ne peut pas être lu comme données OpenStreetMap</translation>
+    </message>
+    <message>
+        <source>holds no OpenStreetMap file (.osm, .osm.pbf or GeoJSON made of one)</source>
+        <translation>ne contient aucun fichier OpenStreetMap (.osm, .osm.pbf ou GeoJSON fait d&apos;un tel fichier)</translation>
+    </message>
+    <message>
+        <source>holds no unit.geojson: name the folder or zip of an IMDF venue</source>
+        <translation>ne contient pas unit.geojson&#xa0;: indiquez le dossier ou le zip d&apos;une carte IMDF</translation>
+    </message>
+    <message>
+        <source>holds %1 IMDF venues: name the folder of one of them, such as %2</source>
+        <translation>contient %1 cartes IMDF&#xa0;: indiquez le dossier de l&apos;une d&apos;elles, comme %2</translation>
+    </message>
+    <message>
+        <source>has more than 20,000 nodes or facilities or 50,000 links: cut the building out of it</source>
+        <translation>contient plus de 20&#xa0;000 nœuds ou équipements ou 50&#xa0;000 liaisons&#xa0;: découpez-en le bâtiment</translation>
+    </message>
+    <message>
+        <source>holds no node of a route network with a place</source>
+        <translation>ne contient aucun nœud d&apos;un réseau de chemins avec un emplacement</translation>
+    </message>
+    <message>
+        <source>has more than 200,000 features</source>
+        <translation>contient plus de 200&#xa0;000 éléments</translation>
+    </message>
+    <message>
+        <source>is XML, but not IndoorGML (IndoorFeatures)</source>
+        <translation>est du XML, mais pas de l&apos;IndoorGML (IndoorFeatures)</translation>
+    </message>
+    <message>
+        <source>has more than 50,000 cells</source>
+        <translation>contient plus de 50&#xa0;000 cellules</translation>
+    </message>
+    <message>
+        <source>has no cell with a usable outline: Farol needs CellSpace geometry</source>
+        <translation>n&apos;a aucune cellule au contour utilisable&#xa0;: Farol a besoin de la géométrie de CellSpace</translation>
+    </message>
+    <message>
+        <source>has no cells but doors: rooms and corridors are missing</source>
+        <translation>n&apos;a que des cellules de portes&#xa0;: salles et couloirs manquent</translation>
+    </message>
+    <message>
+        <source>holds no IndoorGML file</source>
+        <translation>ne contient aucun fichier IndoorGML</translation>
+    </message>
+    <message>
+        <source>is damaged XML: %1</source>
+        <translation>est du XML endommagé&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>has more than two million elements</source>
+        <translation>contient plus de deux millions d&apos;éléments</translation>
+    </message>
+    <message>
+        <source>is nested deeper than 100 elements</source>
+        <translation>a plus de 100 niveaux d&apos;éléments imbriqués</translation>
+    </message>
+    <message>
+        <source>declares entities, which no map needs</source>
+        <translation>déclare des entités, dont aucune carte n&apos;a besoin</translation>
+    </message>
+    <message>
+        <source>lists no levels, as main.json of a WRLD map does</source>
+        <translation>ne liste pas de niveaux, comme le fait le main.json d&apos;une carte WRLD</translation>
+    </message>
+    <message>
+        <source>lists more than 300 levels</source>
+        <translation>liste plus de 300 niveaux</translation>
+    </message>
+    <message>
+        <source>a level has no z_order of its own</source>
+        <translation>un niveau n&apos;a pas de z_order à lui</translation>
+    </message>
+    <message>
+        <source>no floor has a room or an outline with walls</source>
+        <translation>aucun étage n&apos;a de salle ou de contour avec des murs</translation>
+    </message>
+    <message>
+        <source>the floor&apos;s file &quot;%1&quot; is missing: import the folder or zip that holds it</source>
+        <translation>le fichier de l&apos;étage, «&#xa0;%1&#xa0;», manque&#xa0;: importez le dossier ou le zip qui le contient</translation>
+    </message>
+    <message>
+        <source>has more than 10,000 features on a floor or 40,000 in all: no building has</source>
+        <translation>contient plus de 10&#xa0;000 éléments sur un étage ou 40&#xa0;000 en tout&#xa0;: aucun bâtiment n&apos;en a autant</translation>
+    </message>
+    <message>
+        <source>holds no main.json: name the folder or zip of the WRLD map</source>
+        <translation>ne contient pas main.json&#xa0;: indiquez le dossier ou le zip de la carte WRLD</translation>
+    </message>
+    <message>
+        <source>is damaged (%1)</source>
+        <translation>est endommagé (%1)</translation>
+    </message>
+    <message>
+        <source>the region has no outline</source>
+        <translation>la région n&apos;a pas de contour</translation>
+    </message>
+    <message>
+        <source>the access has no place on the map</source>
+        <translation>le passage n&apos;a pas d&apos;emplacement sur la carte</translation>
+    </message>
+    <message>
+        <source>both sides are the same region: choose another one</source>
+        <translation>les deux côtés sont la même région&#xa0;: choisissez-en une autre</translation>
+    </message>
+    <message>
+        <source>the width must be above 0 m, and the steps 0 or more</source>
+        <translation>la largeur doit dépasser 0&#xa0;m, et les marches être 0 ou plus</translation>
+    </message>
+    <message>
+        <source>the landmark has no place on the map</source>
+        <translation>le repère n&apos;a pas d&apos;emplacement sur la carte</translation>
+    </message>
+    <message>
+        <source>the width and the height of the object must be above 0 m</source>
+        <translation>la largeur et la hauteur de l&apos;objet doivent dépasser 0&#xa0;m</translation>
+    </message>
+    <message>
+        <source>the map has this name already</source>
+        <translation>la carte a déjà ce nom</translation>
+    </message>
+    <message>
+        <source>the map does not hold it any more</source>
+        <translation>la carte ne le contient plus</translation>
+    </message>
+    <message>
+        <source>the map there is of a later Farol; save under another name or use the newer Farol</source>
+        <translation>la carte qui s&apos;y trouve est d&apos;un Farol plus récent&#xa0;; enregistrez sous un autre nom ou utilisez le Farol plus récent</translation>
+    </message>
+    <message>
+        <source>is another kind of file; save under a name that ends in .gpkg</source>
+        <translation>est un autre type de fichier&#xa0;; enregistrez sous un nom qui finit par .gpkg</translation>
+    </message>
+    <message>
+        <source>another program has the file open and writes to it; close it there and save again</source>
+        <translation>un autre programme a le fichier ouvert et y écrit&#xa0;; fermez-le là et enregistrez de nouveau</translation>
+    </message>
+    <message>
+        <source>the disk is full: free some space and save again; what was there before is untouched</source>
+        <translation>le disque est plein&#xa0;: libérez de la place et enregistrez de nouveau&#xa0;; ce qui s&apos;y trouvait avant est intact</translation>
+    </message>
+    <message>
+        <source>the map was changed by someone else since it was read; nothing was written: read it again and repeat the change</source>
+        <translation>quelqu&apos;un d&apos;autre a changé la carte depuis qu&apos;elle a été lue&#xa0;; rien n&apos;a été écrit&#xa0;: relisez-la et refaites le changement</translation>
+    </message>
+    <message>
+        <source>there is no field level; level 0 is assumed</source>
+        <translation>le champ level manque&#xa0;; le niveau 0 est supposé</translation>
+    </message>
+    <message>
+        <source>there is no layer %1</source>
+        <translation>la couche %1 manque</translation>
+    </message>
+    <message>
+        <source>%1 do not join two regions and are not walked through: %2</source>
+        <translation>%1 ne relient pas deux régions et on n&apos;y passe pas&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>unknown kind &quot;%1&quot;, treated as other: %2</source>
+        <translation>type inconnu «&#xa0;%1&#xa0;», traité comme autre&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>no kind, treated as other: %1</source>
+        <translation>sans type, traité comme autre&#xa0;: %1</translation>
+    </message>
 </context>
 <context>
     <name>farol::Options</name>

@@ -658,6 +658,498 @@
         <source>%1, layer %2</source>
         <translation>%1, camada %2</translation>
     </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1, feature %2</source>
+        <translation>%1, elemento %2</translation>
+    </message>
+    <message>
+        <source>%1, feature number %2</source>
+        <translation>%1, elemento número %2</translation>
+    </message>
+    <message>
+        <source>%1, line %2</source>
+        <translation>%1, linha %2</translation>
+    </message>
+    <message>
+        <source>%1, level %2</source>
+        <translation>%1, piso %2</translation>
+    </message>
+    <message>
+        <source>%1 and %2 more</source>
+        <translation>%1 e mais %2</translation>
+    </message>
+    <message>
+        <source>there is no such file</source>
+        <translation>não existe esse ficheiro</translation>
+    </message>
+    <message>
+        <source>there is no such file or folder</source>
+        <translation>não existe esse ficheiro ou pasta</translation>
+    </message>
+    <message>
+        <source>is no file or folder</source>
+        <translation>não é um ficheiro nem uma pasta</translation>
+    </message>
+    <message>
+        <source>is a folder; a file is wanted</source>
+        <translation>é uma pasta; quer-se um ficheiro</translation>
+    </message>
+    <message>
+        <source>holds no files</source>
+        <translation>não tem ficheiros</translation>
+    </message>
+    <message>
+        <source>cannot be opened</source>
+        <translation>não se consegue abrir</translation>
+    </message>
+    <message>
+        <source>cannot be listed (%1)</source>
+        <translation>não se consegue listar (%1)</translation>
+    </message>
+    <message>
+        <source>is not a map file that can be read</source>
+        <translation>não é um ficheiro de mapa que se possa ler</translation>
+    </message>
+    <message>
+        <source>cannot be read to its end</source>
+        <translation>não se consegue ler até ao fim</translation>
+    </message>
+    <message>
+        <source>cannot be read (%1)</source>
+        <translation>não se consegue ler (%1)</translation>
+    </message>
+    <message>
+        <source>cannot be imported (%1)</source>
+        <translation>não se consegue importar (%1)</translation>
+    </message>
+    <message>
+        <source>the map cannot be put together (%1)</source>
+        <translation>não se consegue compor o mapa (%1)</translation>
+    </message>
+    <message>
+        <source>reading the map failed: %1</source>
+        <translation>a leitura do mapa falhou: %1</translation>
+    </message>
+    <message>
+        <source>is empty or cannot be read</source>
+        <translation>está vazio ou não se consegue ler</translation>
+    </message>
+    <message>
+        <source>is no indoor map of a kind that is known: %1 was tried as %2; name its kind, or give a profile with its column names</source>
+        <translation>não é um mapa de interiores de um tipo conhecido: %1 foi experimentado como %2; indique o tipo, ou dê um perfil com os nomes das colunas</translation>
+    </message>
+    <message>
+        <source>holds no file of the format %1</source>
+        <translation>não tem nenhum ficheiro do formato %1</translation>
+    </message>
+    <message>
+        <source>is larger than 1 GB: too much for a map of a building</source>
+        <translation>tem mais de 1 GB: é demais para o mapa de um edifício</translation>
+    </message>
+    <message>
+        <source>is larger than %1 MB: no map of a building is</source>
+        <translation>tem mais de %1 MB: nenhum mapa de edifício os tem</translation>
+    </message>
+    <message>
+        <source>holds more than 10000 files: name the folder of one building</source>
+        <translation>tem mais de 10000 ficheiros: indique a pasta de um só edifício</translation>
+    </message>
+    <message>
+        <source>the database cannot be opened</source>
+        <translation>não se consegue abrir a base de dados</translation>
+    </message>
+    <message>
+        <source>the zip holds more than 10000 files: no map of a building does</source>
+        <translation>o zip tem mais de 10000 ficheiros: nenhum mapa de edifício os tem</translation>
+    </message>
+    <message>
+        <source>a file in the zip has a name that leads out of it; the zip is not trusted</source>
+        <translation>um ficheiro do zip tem um nome que leva para fora dele; o zip não é de confiança</translation>
+    </message>
+    <message>
+        <source>the zip is locked by a password; unpack it first</source>
+        <translation>o zip está fechado com uma palavra-passe; descompacte-o primeiro</translation>
+    </message>
+    <message>
+        <source>unpacks to %1 MB: too much for a map of a building</source>
+        <translation>descompactado tem %1 MB: é demais para o mapa de um edifício</translation>
+    </message>
+    <message>
+        <source>the zip&apos;s list of files is damaged; make the zip again</source>
+        <translation>a lista de ficheiros do zip está danificada; faça o zip de novo</translation>
+    </message>
+    <message>
+        <source>the zip is cut off: its list of files is missing; copy it again</source>
+        <translation>o zip está cortado: falta a lista de ficheiros; copie-o de novo</translation>
+    </message>
+    <message>
+        <source>the zip is larger than any map; unpack it and name the folder</source>
+        <translation>o zip é maior do que qualquer mapa; descompacte-o e indique a pasta</translation>
+    </message>
+    <message>
+        <source>the zip&apos;s list of files lies outside it; make the zip again</source>
+        <translation>a lista de ficheiros do zip fica fora dele; faça o zip de novo</translation>
+    </message>
+    <message>
+        <source>is a landmark library without a map: name the file of the building</source>
+        <translation>é uma biblioteca de pontos de referência sem mapa: indique o ficheiro do edifício</translation>
+    </message>
+    <message>
+        <source>is not a Farol map: it has no layer regions; import maps of another kind first</source>
+        <translation>não é um mapa do Farol: não tem a camada regions; importe primeiro os mapas de outro tipo</translation>
+    </message>
+    <message>
+        <source>the map is in degrees (%1); metres are wanted: import or reproject it</source>
+        <translation>o mapa está em graus (%1); querem-se metros: importe-o ou reprojete-o</translation>
+    </message>
+    <message>
+        <source>the map&apos;s unit is not the metre (%1): reproject it</source>
+        <translation>a unidade do mapa não é o metro (%1): reprojete-o</translation>
+    </message>
+    <message>
+        <source>the field %1 is missing; add and fill it</source>
+        <translation>falta o campo %1; junte-o e preencha-o</translation>
+    </message>
+    <message>
+        <source>the schema version &quot;%1&quot; is no version</source>
+        <translation>a versão do esquema “%1” não é uma versão</translation>
+    </message>
+    <message>
+        <source>the map has schema version %1, this Farol knows %2: use a newer Farol</source>
+        <translation>o mapa tem a versão de esquema %1, e este Farol conhece a %2: use um Farol mais novo</translation>
+    </message>
+    <message>
+        <source>the map has no regions; draw at least one</source>
+        <translation>o mapa não tem espaços; desenhe pelo menos um</translation>
+    </message>
+    <message>
+        <source>two features have this id; give each its own</source>
+        <translation>dois elementos têm este identificador; dê a cada um o seu</translation>
+    </message>
+    <message>
+        <source>this level is listed twice; remove one</source>
+        <translation>este piso está na lista duas vezes; retire um</translation>
+    </message>
+    <message>
+        <source>oneway is &quot;%1&quot;; a_to_b, b_to_a or nothing is wanted</source>
+        <translation>oneway é “%1”; quer-se a_to_b, b_to_a ou nada</translation>
+    </message>
+    <message>
+        <source>has no %1; fill it in</source>
+        <translation>não tem %1; preencha-o</translation>
+    </message>
+    <message>
+        <source>%1 is no number</source>
+        <translation>%1 não é um número</translation>
+    </message>
+    <message>
+        <source>%1 is no whole number within reason</source>
+        <translation>%1 não é um número inteiro razoável</translation>
+    </message>
+    <message>
+        <source>%1 is neither 0 nor 1</source>
+        <translation>%1 não é 0 nem 1</translation>
+    </message>
+    <message>
+        <source>level %1 is no floor of a building</source>
+        <translation>o piso %1 não é um piso de um edifício</translation>
+    </message>
+    <message>
+        <source>has no geometry; a %1 is wanted</source>
+        <translation>não tem forma; quer-se %1</translation>
+    </message>
+    <message>
+        <source>consists of %1 parts; a single %2 is wanted: split it and give each part its own id</source>
+        <translation>tem %1 partes; quer-se uma só (%2): divida-o e dê a cada parte o seu identificador</translation>
+    </message>
+    <message>
+        <source>has a coordinate that is no number</source>
+        <translation>tem uma coordenada que não é um número</translation>
+    </message>
+    <message>
+        <source>has a coordinate beyond any metric map</source>
+        <translation>tem uma coordenada fora de qualquer mapa em metros</translation>
+    </message>
+    <message>
+        <source>is an outline without an area</source>
+        <translation>é um contorno sem área</translation>
+    </message>
+    <message>
+        <source>is a %1; a %2 is wanted</source>
+        <translation>é %1; quer-se %2</translation>
+    </message>
+    <message>
+        <source>has no outline</source>
+        <translation>não tem contorno</translation>
+    </message>
+    <message>
+        <source>there are no rooms, corridors or other areas in it: nothing to walk through</source>
+        <translation>não há nele salas, corredores nem outras áreas: nada por onde andar</translation>
+    </message>
+    <message>
+        <source>has %1 levels: no building has; the level stands in another attribute: name that one</source>
+        <translation>tem %1 pisos: nenhum edifício os tem; o piso está noutro atributo: indique-o</translation>
+    </message>
+    <message>
+        <source>the map has no coordinates</source>
+        <translation>o mapa não tem coordenadas</translation>
+    </message>
+    <message>
+        <source>geocentric coordinates are no plan of a floor; project them</source>
+        <translation>coordenadas geocêntricas não são a planta de um piso; projete-as</translation>
+    </message>
+    <message>
+        <source>coordinates are beyond 100,000 km: they are no metres of a building</source>
+        <translation>as coordenadas passam dos 100&#xa0;000 km: não são metros de um edifício</translation>
+    </message>
+    <message>
+        <source>the coordinates do not lie where their CRS is defined</source>
+        <translation>as coordenadas não ficam onde o seu sistema está definido</translation>
+    </message>
+    <message>
+        <source>the CRS cannot be brought to metres</source>
+        <translation>não se consegue passar o sistema de coordenadas para metros</translation>
+    </message>
+    <message>
+        <source>holds more than a million features: no building does</source>
+        <translation>tem mais de um milhão de elementos: nenhum edifício os tem</translation>
+    </message>
+    <message>
+        <source>has more than 500,000 features: no building has</source>
+        <translation>tem mais de 500&#xa0;000 elementos: nenhum edifício os tem</translation>
+    </message>
+    <message>
+        <source>the shapes have no heights (z) that levels could be taken from; name a column instead</source>
+        <translation>as formas não têm alturas (z) de que se possam tirar os pisos; indique antes uma coluna</translation>
+    </message>
+    <message>
+        <source>holds no rooms, corridors or other areas to walk through: name the folder with all layers, or say what they are in a profile</source>
+        <translation>não tem salas, corredores nem outras áreas por onde andar: indique a pasta com todas as camadas, ou diga num perfil o que elas são</translation>
+    </message>
+    <message>
+        <source>holds no rooms, corridors or other areas to walk through; %1 and what else is a door touches no region (access-joins-two-regions): name the folder with all layers, or say what they are in a profile</source>
+        <translation>não tem salas, corredores nem outras áreas por onde andar; %1 e o mais que é porta não tocam em nenhum espaço: indique a pasta com todas as camadas, ou diga num perfil o que elas são</translation>
+    </message>
+    <message>
+        <source>holds no rooms, corridors or other areas to walk through; lines alone enclose no rooms (layer-role): name the folder with all layers, or say what they are in a profile</source>
+        <translation>não tem salas, corredores nem outras áreas por onde andar; só as linhas não encerram salas: indique a pasta com todas as camadas, ou diga num perfil o que elas são</translation>
+    </message>
+    <message>
+        <source>holds no rooms, corridors or other areas to walk through; there are no features in %1 (layer-empty): name the folder with all layers, or say what they are in a profile</source>
+        <translation>não tem salas, corredores nem outras áreas por onde andar; não há elementos em %1: indique a pasta com todas as camadas, ou diga num perfil o que elas são</translation>
+    </message>
+    <message>
+        <source>is no GeoJSON FeatureCollection</source>
+        <translation>não é uma FeatureCollection de GeoJSON</translation>
+    </message>
+    <message>
+        <source>is nested deeper than any map</source>
+        <translation>está encaixado mais fundo do que qualquer mapa</translation>
+    </message>
+    <message>
+        <source>is damaged JSON (%1)</source>
+        <translation>é JSON danificado (%1)</translation>
+    </message>
+    <message>
+        <source>is no JSON object with columns, codes, levels or layers</source>
+        <translation>não é um objeto JSON com columns, codes, levels ou layers</translation>
+    </message>
+    <message>
+        <source>there is no column meaning &quot;%1&quot;</source>
+        <translation>não há nenhuma coluna que signifique “%1”</translation>
+    </message>
+    <message>
+        <source>the role of layer &quot;%1&quot; is unknown</source>
+        <translation>o papel da camada “%1” é desconhecido</translation>
+    </message>
+    <message>
+        <source>makes more than 20,000 regions on its levels, or its ways cross too many of them: cut the building out of it</source>
+        <translation>dá mais de 20&#xa0;000 espaços nos seus pisos, ou os seus caminhos cruzam demasiados: recorte dele o edifício</translation>
+    </message>
+    <message>
+        <source>holds no indoor areas: rooms, corridors and areas must be tagged indoor=* with a level</source>
+        <translation>não tem áreas interiores: salas, corredores e áreas têm de ter a etiqueta indoor=* com um piso</translation>
+    </message>
+    <message>
+        <source>has more than 500,000 tagged features: cut the building out of it</source>
+        <translation>tem mais de 500&#xa0;000 elementos com etiquetas: recorte dele o edifício</translation>
+    </message>
+    <message>
+        <source>is damaged OpenStreetMap data</source>
+        <translation>são dados do OpenStreetMap danificados</translation>
+    </message>
+    <message>
+        <source>cannot be read as OpenStreetMap data</source>
+        <translation>não se consegue ler como dados do OpenStreetMap</translation>
+    </message>
+    <message>
+        <source>holds no OpenStreetMap file (.osm, .osm.pbf or GeoJSON made of one)</source>
+        <translation>não tem nenhum ficheiro do OpenStreetMap (.osm, .osm.pbf ou GeoJSON feito de um)</translation>
+    </message>
+    <message>
+        <source>holds no unit.geojson: name the folder or zip of an IMDF venue</source>
+        <translation>não tem unit.geojson: indique a pasta ou o zip de um mapa IMDF</translation>
+    </message>
+    <message>
+        <source>holds %1 IMDF venues: name the folder of one of them, such as %2</source>
+        <translation>tem %1 mapas IMDF: indique a pasta de um deles, como %2</translation>
+    </message>
+    <message>
+        <source>has more than 20,000 nodes or facilities or 50,000 links: cut the building out of it</source>
+        <translation>tem mais de 20&#xa0;000 nós ou serviços ou 50&#xa0;000 ligações: recorte dele o edifício</translation>
+    </message>
+    <message>
+        <source>holds no node of a route network with a place</source>
+        <translation>não tem nenhum nó de uma rede de caminhos com lugar</translation>
+    </message>
+    <message>
+        <source>has more than 200,000 features</source>
+        <translation>tem mais de 200&#xa0;000 elementos</translation>
+    </message>
+    <message>
+        <source>is XML, but not IndoorGML (IndoorFeatures)</source>
+        <translation>é XML, mas não IndoorGML (IndoorFeatures)</translation>
+    </message>
+    <message>
+        <source>has more than 50,000 cells</source>
+        <translation>tem mais de 50&#xa0;000 células</translation>
+    </message>
+    <message>
+        <source>has no cell with a usable outline: Farol needs CellSpace geometry</source>
+        <translation>não tem nenhuma célula com contorno utilizável: o Farol precisa da geometria de CellSpace</translation>
+    </message>
+    <message>
+        <source>has no cells but doors: rooms and corridors are missing</source>
+        <translation>só tem células de portas: faltam salas e corredores</translation>
+    </message>
+    <message>
+        <source>holds no IndoorGML file</source>
+        <translation>não tem nenhum ficheiro IndoorGML</translation>
+    </message>
+    <message>
+        <source>is damaged XML: %1</source>
+        <translation>é XML danificado: %1</translation>
+    </message>
+    <message>
+        <source>has more than two million elements</source>
+        <translation>tem mais de dois milhões de elementos</translation>
+    </message>
+    <message>
+        <source>is nested deeper than 100 elements</source>
+        <translation>tem mais de 100 níveis de elementos encaixados</translation>
+    </message>
+    <message>
+        <source>declares entities, which no map needs</source>
+        <translation>declara entidades, de que nenhum mapa precisa</translation>
+    </message>
+    <message>
+        <source>lists no levels, as main.json of a WRLD map does</source>
+        <translation>não lista pisos, como faz o main.json de um mapa WRLD</translation>
+    </message>
+    <message>
+        <source>lists more than 300 levels</source>
+        <translation>lista mais de 300 pisos</translation>
+    </message>
+    <message>
+        <source>a level has no z_order of its own</source>
+        <translation>um piso não tem z_order próprio</translation>
+    </message>
+    <message>
+        <source>no floor has a room or an outline with walls</source>
+        <translation>nenhum piso tem uma sala ou um contorno com paredes</translation>
+    </message>
+    <message>
+        <source>the floor&apos;s file &quot;%1&quot; is missing: import the folder or zip that holds it</source>
+        <translation>falta o ficheiro do piso, “%1”: importe a pasta ou o zip que o tem</translation>
+    </message>
+    <message>
+        <source>has more than 10,000 features on a floor or 40,000 in all: no building has</source>
+        <translation>tem mais de 10&#xa0;000 elementos num piso ou 40&#xa0;000 ao todo: nenhum edifício os tem</translation>
+    </message>
+    <message>
+        <source>holds no main.json: name the folder or zip of the WRLD map</source>
+        <translation>não tem main.json: indique a pasta ou o zip do mapa WRLD</translation>
+    </message>
+    <message>
+        <source>is damaged (%1)</source>
+        <translation>está danificado (%1)</translation>
+    </message>
+    <message>
+        <source>the region has no outline</source>
+        <translation>o espaço não tem contorno</translation>
+    </message>
+    <message>
+        <source>the access has no place on the map</source>
+        <translation>a passagem não tem lugar no mapa</translation>
+    </message>
+    <message>
+        <source>both sides are the same region: choose another one</source>
+        <translation>os dois lados são o mesmo espaço: escolha outro</translation>
+    </message>
+    <message>
+        <source>the width must be above 0 m, and the steps 0 or more</source>
+        <translation>a largura tem de ser maior do que 0&#xa0;m, e os degraus 0 ou mais</translation>
+    </message>
+    <message>
+        <source>the landmark has no place on the map</source>
+        <translation>o ponto de referência não tem lugar no mapa</translation>
+    </message>
+    <message>
+        <source>the width and the height of the object must be above 0 m</source>
+        <translation>a largura e a altura do objeto têm de ser maiores do que 0&#xa0;m</translation>
+    </message>
+    <message>
+        <source>the map has this name already</source>
+        <translation>o mapa já tem este nome</translation>
+    </message>
+    <message>
+        <source>the map does not hold it any more</source>
+        <translation>o mapa já não o tem</translation>
+    </message>
+    <message>
+        <source>the map there is of a later Farol; save under another name or use the newer Farol</source>
+        <translation>o mapa que lá está é de um Farol posterior; guarde com outro nome ou use o Farol mais novo</translation>
+    </message>
+    <message>
+        <source>is another kind of file; save under a name that ends in .gpkg</source>
+        <translation>é outro tipo de ficheiro; guarde com um nome que acabe em .gpkg</translation>
+    </message>
+    <message>
+        <source>another program has the file open and writes to it; close it there and save again</source>
+        <translation>outro programa tem o ficheiro aberto e escreve nele; feche-o lá e guarde de novo</translation>
+    </message>
+    <message>
+        <source>the disk is full: free some space and save again; what was there before is untouched</source>
+        <translation>o disco está cheio: liberte espaço e guarde de novo; o que lá estava antes está intacto</translation>
+    </message>
+    <message>
+        <source>the map was changed by someone else since it was read; nothing was written: read it again and repeat the change</source>
+        <translation>o mapa foi alterado por outra pessoa desde que foi lido; nada foi escrito: leia-o de novo e repita a alteração</translation>
+    </message>
+    <message>
+        <source>there is no field level; level 0 is assumed</source>
+        <translation>falta o campo level; supõe-se o piso 0</translation>
+    </message>
+    <message>
+        <source>there is no layer %1</source>
+        <translation>falta a camada %1</translation>
+    </message>
+    <message>
+        <source>%1 do not join two regions and are not walked through: %2</source>
+        <translation>%1 não ligam dois espaços e não se passa por eles: %2</translation>
+    </message>
+    <message>
+        <source>unknown kind &quot;%1&quot;, treated as other: %2</source>
+        <translation>tipo desconhecido “%1”, tratado como outro: %2</translation>
+    </message>
+    <message>
+        <source>no kind, treated as other: %1</source>
+        <translation>sem tipo, tratado como outro: %1</translation>
+    </message>
 </context>
 <context>
     <name>farol::Options</name>

@@ -4,6 +4,7 @@
 #include "core/base/ogr.h"
 #include "core/building/layer_schema.h"
 #include "core/building/layers_out.h"
+#include "core/building/sentence.h"
 
 #include <gdal_priv.h>
 #include <ogrsf_frmts.h>
@@ -88,11 +89,7 @@ Result<void> checkUnchanged(GDALDataset& dataset, const std::string& known, cons
     auto now = mapRevision(dataset, context);
     if (!now) return now.error();
     if (*now == known) return {};
-    return Error{
-        ErrorCode::Conflict,
-        "the map was changed by someone else since it was read; nothing was written: read it again and "
-        "repeat the change",
-        context};
+    return Error{ErrorCode::Conflict, english(Sentence::SaveChangedBySomeone), context};
 }
 
 Result<std::string> writeInTurn(GDALDataset& dataset, const BuildingData& data, const std::string& context) {

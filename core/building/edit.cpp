@@ -2,6 +2,7 @@
 
 #include "core/building/access_regions.h"
 #include "core/building/box_index.h"
+#include "core/building/sentence.h"
 
 #include <algorithm>
 #include <cmath>
@@ -41,28 +42,25 @@ bool isPositive(const std::optional<double>& value) {
 
 Result<void> checked(const Region& region) {
     if (region.polygon.outer.size() < 3)
-        return Error{ErrorCode::InvalidArgument, "the region has no outline", region.id.value};
+        return Error{ErrorCode::InvalidArgument, english(Sentence::EditNoOutline), region.id.value};
     return {};
 }
 
 Result<void> checked(const Access& access) {
     if (access.line.empty() || !std::all_of(access.line.begin(), access.line.end(), isFinite))
-        return Error{ErrorCode::InvalidArgument, "the access has no place on the map", access.id.value};
+        return Error{ErrorCode::InvalidArgument, english(Sentence::EditAccessNoPlace), access.id.value};
     if (!access.regionA.empty() && access.regionA == access.regionB)
-        return Error{ErrorCode::InvalidArgument, "both sides are the same region: choose another one",
-                     access.id.value};
+        return Error{ErrorCode::InvalidArgument, english(Sentence::EditSameSides), access.id.value};
     if (!isPositive(access.widthM) || (access.steps && *access.steps < 0))
-        return Error{ErrorCode::InvalidArgument, "the width must be above 0 m, and the steps 0 or more",
-                     access.id.value};
+        return Error{ErrorCode::InvalidArgument, english(Sentence::EditWidthOrSteps), access.id.value};
     return {};
 }
 
 Result<void> checked(const Landmark& landmark) {
     if (!isFinite(landmark.position))
-        return Error{ErrorCode::InvalidArgument, "the landmark has no place on the map", landmark.id.value};
+        return Error{ErrorCode::InvalidArgument, english(Sentence::EditLandmarkNoPlace), landmark.id.value};
     if (!isPositive(landmark.widthM) || !isPositive(landmark.tallM))
-        return Error{ErrorCode::InvalidArgument, "the width and the height of the object must be above 0 m",
-                     landmark.id.value};
+        return Error{ErrorCode::InvalidArgument, english(Sentence::EditLandmarkSize), landmark.id.value};
     return {};
 }
 
@@ -162,7 +160,7 @@ Result<Edit> insertion(const Building& building, Feature feature) {
         [&](auto& value) -> Result<Edit> {
             if (const auto fine = checked(value); !fine) return fine.error();
             if (taken(building, value))
-                return Error{ErrorCode::Conflict, "the map has this name already", value.id.value};
+                return Error{ErrorCode::Conflict, english(Sentence::EditNameTaken), value.id.value};
             const auto& list = listOf<std::decay_t<decltype(value)>>(building.data());
             return Edit{list.size(), std::nullopt, Feature(value)};
         },
@@ -174,10 +172,10 @@ Result<Edit> change(const Building& building, std::size_t index, Feature after) 
         [&](auto& value) -> Result<Edit> {
             const auto& list = listOf<std::decay_t<decltype(value)>>(building.data());
             if (index >= list.size())
-                return Error{ErrorCode::NotFound, "the map does not hold it any more", value.id.value};
+                return Error{ErrorCode::NotFound, english(Sentence::EditGone), value.id.value};
             if (const auto fine = checked(value); !fine) return fine.error();
             if (list[index].id != value.id && taken(building, value))
-                return Error{ErrorCode::Conflict, "the map has this name already", value.id.value};
+                return Error{ErrorCode::Conflict, english(Sentence::EditNameTaken), value.id.value};
             return Edit{index, Feature(list[index]), Feature(value)};
         },
         after);

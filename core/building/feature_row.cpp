@@ -1,6 +1,7 @@
 #include "core/building/feature_row.h"
 
 #include "core/base/text.h"
+#include "core/building/sentence.h"
 
 #include <ogr_feature.h>
 #include <ogr_geometry.h>
@@ -56,11 +57,12 @@ FeatureRow::FeatureRow(const OGRFeature& feature, const LayerSpec& spec, const s
     if (spec.key != nullptr) m_name = text(spec.key);
     if (!m_name.empty()) return;
     m_name = "number " + std::to_string(feature.GetFID());
-    if (spec.key != nullptr) fail(std::string("has no ") + spec.key + "; fill it in");
+    if (spec.key != nullptr) fail(english(Sentence::FieldEmpty, spec.key));
 }
 
 void FeatureRow::fail(const std::string& message) {
-    if (!m_error) m_error = Error{ErrorCode::Corrupt, message, m_context + ", feature " + m_name};
+    if (!m_error)
+        m_error = Error{ErrorCode::Corrupt, message, english(Sentence::FeatureOf, m_context, m_name)};
 }
 
 int FeatureRow::index(const char* field) const {
@@ -86,7 +88,7 @@ std::optional<double> FeatureRow::number(const char* field) {
         value = parsedNumber(written);
     }
     if (value && std::isfinite(*value)) return value;
-    fail(std::string(field) + " is no number");
+    fail(english(Sentence::FieldNoNumber, field));
     return std::nullopt;
 }
 
@@ -94,7 +96,7 @@ std::optional<int> FeatureRow::whole(const char* field) {
     std::optional<double> value = number(field);
     if (!value) return std::nullopt;
     if (std::abs(*value) > 1e6 || *value != std::floor(*value)) {
-        fail(std::string(field) + " is no whole number within reason");
+        fail(english(Sentence::FieldNoWhole, field));
         return std::nullopt;
     }
     return static_cast<int>(*value);
@@ -103,9 +105,9 @@ std::optional<int> FeatureRow::whole(const char* field) {
 double FeatureRow::level() {
     std::optional<double> written = number("level");
     // A layer without the field has one level (the reader warns); a gap in the field is a mistake.
-    if (!written && m_feature.GetFieldIndex("level") >= 0) fail("has no level; fill it in");
+    if (!written && m_feature.GetFieldIndex("level") >= 0) fail(english(Sentence::FieldEmpty, "level"));
     double level = written.value_or(0.0);
-    if (std::abs(level) > 1000.0) fail("level " + formatNumber(level) + " is no floor of a building");
+    if (std::abs(level) > 1000.0) fail(english(Sentence::LevelNoFloor, level));
     return level;
 }
 
@@ -114,8 +116,7 @@ bool FeatureRow::flag(const char* field) {
     std::transform(written.begin(), written.end(), written.begin(),
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     if (written.empty() || written == "0" || written == "false" || written == "no") return false;
-    if (written != "1" && written != "true" && written != "yes")
-        fail(std::string(field) + " is neither 0 nor 1");
+    if (written != "1" && written != "true" && written != "yes") fail(english(Sentence::FieldNoFlag, field));
     return true;
 }
 
@@ -134,22 +135,22 @@ Attributes FeatureRow::extra() const {
 const OGRGeometry* FeatureRow::geometry(const char* wanted) {
     const OGRGeometry* whole = m_feature.GetGeometryRef();
     if (whole == nullptr || whole->IsEmpty()) {
-        fail(std::string("has no geometry; a ") + wanted + " is wanted");
+        fail(english(Sentence::NoGeometry, wanted));
         return nullptr;
     }
     const OGRGeometry* part = singlePart(*whole);
     if (part == nullptr)
-        fail("consists of " + std::to_string(whole->toGeometryCollection()->getNumGeometries()) +
-             " parts; a single " + wanted + " is wanted: split it and give each part its own id");
+        fail(english(Sentence::SeveralParts,
+                     static_cast<double>(whole->toGeometryCollection()->getNumGeometries()), wanted));
     return part;
 }
 
 bool FeatureRow::checkPoints(const std::vector<Point2>& points) {
     for (Point2 p : points) {
         if (!isFinite(p))
-            fail("has a coordinate that is no number");
+            fail(english(Sentence::CornerNoNumber));
         else if (std::abs(p.x) > kLargestCoordinate || std::abs(p.y) > kLargestCoordinate)
-            fail("has a coordinate beyond any metric map");
+            fail(english(Sentence::CornerTooFar));
     }
     return !m_error;
 }
@@ -159,7 +160,7 @@ Ring FeatureRow::ring(const OGRLineString& line) {
     for (int i = 0; i < line.getNumPoints(); ++i) points.push_back({line.getX(i), line.getY(i)});
     if (points.size() > 1 && points.front() == points.back()) points.pop_back();
     if (checkPoints(points) && (points.size() < 3 || signedArea(points) == 0.0))
-        fail("is an outline without an area");
+        fail(english(Sentence::AreaNone));
     return points;
 }
 
@@ -172,13 +173,12 @@ Polygon FeatureRow::polygon() {
         part = straight.get();
     }
     if (part == nullptr || wkbFlatten(part->getGeometryType()) != wkbPolygon) {
-        fail(std::string("is a ") + (part == nullptr ? "curve" : part->getGeometryName()) +
-             "; a Polygon is wanted");
+        fail(english(Sentence::OtherShape, part == nullptr ? "curve" : part->getGeometryName(), "Polygon"));
         return {};
     }
     const OGRPolygon* outline = part->toPolygon();
     if (outline->getExteriorRing() == nullptr) {
-        fail("has no outline");
+        fail(english(Sentence::NoOutline));
         return {};
     }
     Polygon polygon;
@@ -193,7 +193,7 @@ Polyline FeatureRow::polyline(const OGRGeometry& part, const char* wanted) {
     std::unique_ptr<OGRGeometry> straight(part.hasCurveGeometry() != 0 ? part.getLinearGeometry() : nullptr);
     const OGRGeometry& geometry = straight ? *straight : part;
     if (wkbFlatten(geometry.getGeometryType()) != wkbLineString) {
-        fail(std::string("is a ") + geometry.getGeometryName() + "; a " + wanted + " is wanted");
+        fail(english(Sentence::OtherShape, geometry.getGeometryName(), wanted));
         return points;
     }
     const OGRLineString* line = geometry.toLineString();
@@ -227,7 +227,7 @@ Point2 FeatureRow::point() {
     const OGRGeometry* part = geometry("Point");
     if (part == nullptr) return {};
     if (wkbFlatten(part->getGeometryType()) != wkbPoint) {
-        fail(std::string("is a ") + part->getGeometryName() + "; a Point is wanted");
+        fail(english(Sentence::OtherShape, part->getGeometryName(), "Point"));
         return {};
     }
     Point2 position{part->toPoint()->getX(), part->toPoint()->getY()};

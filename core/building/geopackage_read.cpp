@@ -6,6 +6,7 @@
 #include "core/building/feature_row.h"
 #include "core/building/geopackage.h"
 #include "core/building/layer_schema.h"
+#include "core/building/sentence.h"
 
 #include <gdal_priv.h>
 #include <ogrsf_frmts.h>
@@ -112,9 +113,7 @@ Result<void> Reader::checkIsMap() {
     if (regions != nullptr) return checkCrs(*regions);
     bool library = m_dataset->GetLayerByName("templates") != nullptr;
     return Error{ErrorCode::UnsupportedFormat,
-                 library ? "is a landmark library without a map: name the file of the building"
-                         : "is not a Farol map: it has no layer regions; import maps of another kind first",
-                 m_place};
+                 library ? english(Sentence::LibraryNotMap) : english(Sentence::NoFarolMap), m_place};
 }
 
 Result<void> Reader::checkCrs(OGRLayer& regions) {
@@ -122,15 +121,11 @@ Result<void> Reader::checkCrs(OGRLayer& regions) {
     const char* name = reference == nullptr ? nullptr : reference->GetName();
     // GeoPackage's own placeholders for "no CRS".
     if (name == nullptr || std::string(name).rfind("Undefined", 0) == 0) return {};
-    std::string context = m_place + ", layer regions";
+    std::string context = english(Sentence::LayerOfFile, m_place, "regions");
     if (reference->IsGeographic() != 0)
-        return Error{ErrorCode::UnsupportedFormat,
-                     "the map is in degrees (" + std::string(name) +
-                         "); metres are wanted: import or reproject it",
-                     context};
+        return Error{ErrorCode::UnsupportedFormat, english(Sentence::MapInDegrees, name), context};
     if (std::abs(reference->GetLinearUnits() - 1.0) > 1e-9)
-        return Error{ErrorCode::UnsupportedFormat,
-                     "the map's unit is not the metre (" + std::string(name) + "): reproject it", context};
+        return Error{ErrorCode::UnsupportedFormat, english(Sentence::MapNotInMetres, name), context};
     char* wkt = nullptr;
     const char* const options[] = {"FORMAT=WKT2_2019", nullptr};
     if (reference->exportToWkt(&wkt, options) == OGRERR_NONE && wkt != nullptr) m_data.crs = wkt;
@@ -141,10 +136,9 @@ Result<void> Reader::checkCrs(OGRLayer& regions) {
 Result<void> Reader::checkFields(OGRLayer& layer, const LayerSpec& spec, const std::string& context) {
     OGRFeatureDefn& definition = *layer.GetLayerDefn();
     if (spec.key != nullptr && definition.GetFieldIndex(spec.key) < 0)
-        return Error{ErrorCode::Corrupt,
-                     std::string("the field ") + spec.key + " is missing; add and fill it", context};
+        return Error{ErrorCode::Corrupt, english(Sentence::FieldMissing, spec.key), context};
     if (spec.knows("level") && definition.GetFieldIndex("level") < 0)
-        m_warnings.push_back(context + ": there is no field level; level 0 is assumed");
+        m_warnings.push_back(english(Sentence::InContext, context, Sentence::FieldLevelMissing));
     return {};
 }
 
@@ -154,7 +148,8 @@ Result<void> Reader::readLayer(const LayerSpec& spec, const ReadRow& readRow) {
     OGRLayer* layer = layerOf(*m_dataset, spec);
     if (layer == nullptr) {
         if (spec.name != std::string("walls"))
-            m_warnings.push_back(m_place + ": there is no layer " + spec.name);
+            m_warnings.push_back(
+                english(Sentence::InContext, m_place, said(Sentence::LayerMissing, spec.name)));
         return {};
     }
     if (auto fields = checkFields(*layer, spec, context); !fields) return fields;
@@ -164,7 +159,8 @@ Result<void> Reader::readLayer(const LayerSpec& spec, const ReadRow& readRow) {
         if (!row.error()) readRow(row);
         if (row.error()) return *row.error();
     }
-    if (messages.failed()) return messages.error(ErrorCode::Corrupt, "cannot be read to its end", context);
+    if (messages.failed())
+        return messages.error(ErrorCode::Corrupt, english(Sentence::NotReadToItsEnd), context);
     return {};
 }
 
@@ -193,21 +189,19 @@ Result<void> Reader::checkSchema() {
     if (m_schema.empty()) return {};
     int version = 0;
     auto [rest, failure] = std::from_chars(m_schema.data(), m_schema.data() + m_schema.size(), version);
-    std::string context = m_place + ", layer farol";
+    std::string context = english(Sentence::LayerOfFile, m_place, "farol");
     if (failure != std::errc() || rest != m_schema.data() + m_schema.size() || version < 1)
-        return Error{ErrorCode::Corrupt, "the schema version \"" + m_schema + "\" is no version", context};
+        return Error{ErrorCode::Corrupt, english(Sentence::SchemaNoVersion, m_schema), context};
     if (version > kSchemaVersion)
         return Error{ErrorCode::UnsupportedFormat,
-                     "the map has schema version " + m_schema + ", this Farol knows " +
-                         std::to_string(kSchemaVersion) + ": use a newer Farol",
-                     context};
+                     english(Sentence::SchemaNewer, m_schema, static_cast<double>(kSchemaVersion)), context};
     return {};
 }
 
 /// Fails on the second feature with one key.
 bool Reader::firstUse(FeatureRow& row, std::set<std::string>& used) {
     if (used.insert(row.name()).second) return true;
-    row.fail("two features have this id; give each its own");
+    row.fail(english(Sentence::IdTwice));
     return false;
 }
 
@@ -230,7 +224,7 @@ Result<void> Reader::readLevels() {
         level.elevationM = row.number("elevation_m");
         level.heightM = row.number("height_m");
         level.extra = row.extra();
-        if (!used.insert(level.ordinal).second) row.fail("this level is listed twice; remove one");
+        if (!used.insert(level.ordinal).second) row.fail(english(Sentence::LevelListedTwice));
         m_data.levels.push_back(std::move(level));
     });
 }
@@ -252,8 +246,8 @@ Result<void> Reader::readRegions() {
         m_data.regions.push_back(std::move(region));
     });
     if (done && m_data.regions.empty())
-        return Error{ErrorCode::Corrupt, "the map has no regions; draw at least one",
-                     m_place + ", layer regions"};
+        return Error{ErrorCode::Corrupt, english(Sentence::MapNoRegions),
+                     english(Sentence::LayerOfFile, m_place, "regions")};
     return done;
 }
 
@@ -273,7 +267,7 @@ void Reader::readAccess(FeatureRow& row) {
     else if (oneWay == "b_to_a")
         access.oneWay = OneWay::BToA;
     else if (!oneWay.empty())
-        row.fail("oneway is \"" + oneWay + "\"; a_to_b, b_to_a or nothing is wanted");
+        row.fail(english(Sentence::OnewayUnknown, oneWay));
     access.doorType = row.text("door_type");
     access.automatic = row.flag("automatic");
     access.widthM = row.number("width_m");
@@ -342,14 +336,16 @@ void Reader::warnOfHalfAccesses() {
         if (!both || access.regionA == access.regionB) ids.push_back(access.id.value);
     }
     if (!ids.empty())
-        m_warnings.push_back(m_place + ", layer accesses: " + std::to_string(ids.size()) +
-                             " do not join two regions and are not walked through: " + listed(ids));
+        m_warnings.push_back(
+            english(Sentence::InContext, said(Sentence::LayerOfFile, m_place, "accesses"),
+                    said(Sentence::AccessesNotWalked, static_cast<double>(ids.size()), listed(ids))));
 }
 
 void Reader::warnOfUnknownKinds() {
     for (const auto& [kind, ids] : m_unknownKinds)
-        m_warnings.push_back(m_place + ": " + (kind.empty() ? "no kind" : "unknown kind \"" + kind + "\"") +
-                             ", treated as other: " + listed(ids));
+        m_warnings.push_back(english(Sentence::InContext, m_place,
+                                     kind.empty() ? said(Sentence::NoKindAsOther, listed(ids))
+                                                  : said(Sentence::KindAsOther, kind, listed(ids))));
 }
 
 } // namespace
@@ -358,7 +354,7 @@ Result<LoadedBuilding> loadBuilding(const std::string& source) {
     try {
         return Reader(source).read();
     } catch (const std::exception& failure) {
-        return Error{ErrorCode::Internal, std::string("reading the map failed: ") + failure.what(),
+        return Error{ErrorCode::Internal, english(Sentence::ReadingFailed, failure.what()),
                      shownSource(source)};
     }
 }

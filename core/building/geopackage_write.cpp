@@ -7,6 +7,7 @@
 #include "core/building/layer_schema.h"
 #include "core/building/layer_writer.h"
 #include "core/building/layers_out.h"
+#include "core/building/sentence.h"
 
 #include <gdal_priv.h>
 #include <ogrsf_frmts.h>
@@ -163,9 +164,7 @@ Result<void> checkNotLater(GDALDataset& dataset, const std::string& context) {
         int value = feature->GetFieldIndex("value");
         if (key < 0 || value < 0 || std::string(feature->GetFieldAsString(key)) != "schema") continue;
         if (std::atoi(feature->GetFieldAsString(value)) > kSchemaVersion)
-            return Error{ErrorCode::UnsupportedFormat,
-                         "the map there is of a later Farol; save under another name or use the newer Farol",
-                         context};
+            return Error{ErrorCode::UnsupportedFormat, english(Sentence::SaveLaterFarol), context};
     }
     return {};
 }
@@ -180,7 +179,8 @@ Result<void> checkWritable(const BuildingData& data, const std::string& context)
         return true;
     };
     for (const Region& region : data.regions) {
-        if (region.polygon.outer.size() < 3) return wrong("regions", region.id.value, "has no outline");
+        if (region.polygon.outer.size() < 3)
+            return wrong("regions", region.id.value, english(Sentence::NoOutline));
         bool sound = finite(region.polygon.outer);
         for (const Ring& hole : region.polygon.holes) sound = sound && hole.size() >= 3 && finite(hole);
         if (!sound) return wrong("regions", region.id.value, "has an outline that is none");
@@ -220,8 +220,7 @@ Result<void> writeAll(GDALDataset& dataset, const BuildingData& data, const std:
 
 Result<void> checkMayWrite(GDALDataset& dataset, const std::string& context) {
     if (dataset.GetDriverName() != std::string("GPKG"))
-        return Error{ErrorCode::UnsupportedFormat,
-                     "is another kind of file; save under a name that ends in .gpkg", context};
+        return Error{ErrorCode::UnsupportedFormat, english(Sentence::SaveOtherKind), context};
     return checkNotLater(dataset, context);
 }
 
@@ -257,8 +256,7 @@ Result<void> settle(const std::string& path) {
         if (opened && (*opened)->GetLayerCount() > 0) (*opened)->GetLayer(0)->GetFeatureCount();
     }
     if (!hasContent(log) && !hasContent(journal)) return {};
-    return Error{ErrorCode::Conflict,
-                 "another program has the file open and writes to it; close it there and save again", path};
+    return Error{ErrorCode::Conflict, english(Sentence::SaveFileBusy), path};
 }
 
 /// The new file begins as a copy of the one that the map comes from.

@@ -2,6 +2,7 @@
 
 #include "core/base/text.h"
 #include "core/building/feature_row.h"
+#include "core/building/sentence.h"
 
 #include <gdal_priv.h>
 #include <ogrsf_frmts.h>
@@ -240,7 +241,7 @@ void LayerWriter::setLine(const Polyline& line) {
 }
 
 Result<void> LayerWriter::finish() {
-    if (m_messages.failed()) return failure("cannot be read to its end");
+    if (m_messages.failed()) return failure(english(Sentence::NotReadToItsEnd));
     if (m_before != nullptr && m_feature->Equal(m_before.get()) != FALSE) return {};
     OGRErr code =
         m_before == nullptr ? m_layer->CreateFeature(m_feature.get()) : m_layer->SetFeature(m_feature.get());
@@ -252,7 +253,7 @@ Result<void> LayerWriter::finish() {
 Result<void> LayerWriter::close(Missing missing) {
     if (missing == Missing::Keep) return {};
     readFeatures();
-    if (m_messages.failed()) return failure("cannot be read to its end");
+    if (m_messages.failed()) return failure(english(Sentence::NotReadToItsEnd));
     for (const auto& [key, feature] : m_old)
         if (m_layer->DeleteFeature(feature->GetFID()) != OGRERR_NONE)
             return failure("cannot remove the feature " + key);

@@ -1,6 +1,7 @@
 #include "core/building/plan_picture.h"
 
 #include "core/base/ogr.h"
+#include "core/building/sentence.h"
 
 #include <gdal_priv.h>
 #include <ogr_spatialref.h>
@@ -85,7 +86,7 @@ Result<PlanPicture> loadPlanPicture(const std::string& path, const std::string& 
     std::call_once(once, [] { GDALAllRegister(); });
     std::error_code wrong;
     if (!std::filesystem::is_regular_file(path, wrong))
-        return Error{ErrorCode::NotFound, "there is no such file", path};
+        return Error{ErrorCode::NotFound, english(Sentence::NoSuchFile), path};
     GdalMessages messages;
     const DatasetPtr dataset(static_cast<GDALDataset*>(
         GDALOpenEx(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, nullptr, nullptr, nullptr)));

@@ -27,6 +27,8 @@ bool SentenceText::counts() const {
     return std::string_view(text).find("%n") != std::string_view::npos;
 }
 
+Argument::Argument(Sentence part) : Argument(Message(part)) {}
+
 Argument::Argument(Message part) : is(Is::Phrase), phrase(std::make_shared<const Message>(std::move(part))) {}
 
 std::vector<std::string> Argument::words() const {

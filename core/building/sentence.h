@@ -159,6 +159,136 @@ enum class Sentence {
     WrldSpacesClosed,
     WrldNarrow,
     WrldDoorOneSide,
+    // Why a map cannot be opened or imported: what it is.
+    InContext,
+    FeatureOf,
+    FeatureNumberOf,
+    LineOf,
+    LevelOf,
+    MoreOf,
+    NoSuchFile,
+    NoSuchSource,
+    NoFileOrFolder,
+    FolderNotFile,
+    HoldsNoFiles,
+    NotOpened,
+    NotListed,
+    NotReadable,
+    NotReadToItsEnd,
+    NotRead,
+    NotImported,
+    NotPutTogether,
+    ReadingFailed,
+    EmptyFile,
+    UnknownKindOfMap,
+    NoFileOfFormat,
+    FileOverOneGb,
+    FileOverMb,
+    TooManyFiles,
+    DatabaseNotOpened,
+    // Zips.
+    ZipTooManyFiles,
+    ZipLeadsOut,
+    ZipLocked,
+    ZipUnpacksTo,
+    ZipListDamaged,
+    ZipCutOff,
+    ZipTooLarge,
+    ZipListOutside,
+    // A building file.
+    LibraryNotMap,
+    NoFarolMap,
+    MapInDegrees,
+    MapNotInMetres,
+    FieldMissing,
+    SchemaNoVersion,
+    SchemaNewer,
+    MapNoRegions,
+    IdTwice,
+    LevelListedTwice,
+    OnewayUnknown,
+    FieldEmpty,
+    FieldNoNumber,
+    FieldNoWhole,
+    FieldNoFlag,
+    LevelNoFloor,
+    NoGeometry,
+    SeveralParts,
+    CornerNoNumber,
+    CornerTooFar,
+    AreaNone,
+    OtherShape,
+    NoOutline,
+    // Any foreign map.
+    NothingToWalk,
+    TooManyLevels,
+    NoCoordinates,
+    Geocentric,
+    BeyondAnyBuilding,
+    OutsideTheirCrs,
+    CrsNotToMetres,
+    TooManyFeatures,
+    TooManyShapes,
+    NoHeights,
+    HoldsNoRooms,
+    HoldsDoorsAlone,
+    HoldsLinesAlone,
+    HoldsNoFeatures,
+    NoFeatureCollection,
+    JsonTooDeep,
+    JsonDamaged,
+    ProfileNoObject,
+    ProfileColumn,
+    ProfileRole,
+    // Maps of one format.
+    OsmTooMuch,
+    OsmNoIndoor,
+    OsmTooManyFeatures,
+    OsmDamaged,
+    OsmNotRead,
+    OsmNoFile,
+    ImdfNoUnits,
+    ImdfSeveralVenues,
+    HulopTooMuch,
+    HulopNoNodes,
+    HulopTooManyFeatures,
+    GmlOtherXml,
+    GmlTooManyCells,
+    GmlNoCells,
+    GmlDoorsAlone,
+    GmlNoFile,
+    XmlDamaged,
+    XmlTooManyElements,
+    XmlTooDeep,
+    XmlEntities,
+    WrldNoLevels,
+    WrldTooManyLevels,
+    WrldLevelOrder,
+    WrldNoRooms,
+    WrldFloorMissing,
+    WrldTooManyFeatures,
+    WrldNoMain,
+    WrldDamaged,
+    // What is refused when a map is changed or saved.
+    EditNoOutline,
+    EditAccessNoPlace,
+    EditSameSides,
+    EditWidthOrSteps,
+    EditLandmarkNoPlace,
+    EditLandmarkSize,
+    EditNameTaken,
+    EditGone,
+    SaveLaterFarol,
+    SaveOtherKind,
+    SaveFileBusy,
+    SaveDiskFull,
+    SaveChangedBySomeone,
+    // Remarks about a map that opens all the same.
+    FieldLevelMissing,
+    LayerMissing,
+    AccessesNotWalked,
+    KindAsOther,
+    NoKindAsOther,
 };
 
 /// One row of the table of all that is said. Places are %1, %2, ...; where the text has %n, a count stands
@@ -195,6 +325,7 @@ struct Argument {
     Argument(std::vector<double> several)
         : is(Is::Numbers), numbers(std::move(several)) {} // NOLINT: on purpose
     Argument(Is kinds) : is(kinds) {}                     // NOLINT: on purpose
+    Argument(Sentence part);                              // NOLINT: on purpose
     Argument(Message part);                               // NOLINT: on purpose
 
     std::vector<std::string> words() const; ///< in English; the kinds as they are written in a map
@@ -228,6 +359,12 @@ Message said(Sentence sentence, Places&&... places) {
 template <class... Places>
 Message counted(Sentence sentence, std::size_t count, Places&&... places) {
     return {sentence, count, {Argument(std::forward<Places>(places))...}};
+}
+
+/// The English alone, for an error.
+template <class... Places>
+std::string english(Sentence sentence, Places&&... places) {
+    return said(sentence, std::forward<Places>(places)...).english();
 }
 
 /// Each %1, %2, ... of the text replaced once; what is put in is not looked at again.

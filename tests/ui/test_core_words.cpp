@@ -1,6 +1,8 @@
 // What core says of a map, read on the Map page in every language.
 
 #include "core/building/checks.h"
+#include "core/building/geopackage.h"
+#include "core/building/import/importer.h"
 #include "tests/ui/hand_made.h"
 #include "ui/convert/convert.h"
 #include "ui/curation/map_page.h"
@@ -39,6 +41,8 @@ private Q_SLOTS:
     void theMapCheckIsReadWholly_data() { addLanguages(); }
     void theMapCheckIsReadWholly();
     void anImportIsReadWhollyInPortuguese();
+    void whyAMapDoesNotOpenIsReadInPortuguese();
+    void problemsKeepTheirPlaces();
 
 private:
     static void addLanguages();
@@ -72,7 +76,8 @@ void CoreWordsTest::everySentenceIsTranslated() {
         wanted.removeAll(QStringLiteral("%n"));
         for (const int count : {1, 5}) {
             const QString text = translated(row, row.counts() ? count : -1);
-            QVERIFY2(!text.isEmpty() && text != QString::fromUtf8(row.text), row.text);
+            QVERIFY2(!text.isEmpty(), row.text);
+            QVERIFY2(text != QString::fromUtf8(row.text) || row.sentence == Sentence::InContext, row.text);
             QVERIFY2(placesOf(text) == wanted, qPrintable(text));
             QVERIFY2(!row.counts() || text.contains(QString::number(count)), qPrintable(text));
             QVERIFY2(text.front() == text.front().toLower() || language == QLatin1String("de"),
@@ -222,6 +227,62 @@ void CoreWordsTest::anImportIsReadWhollyInPortuguese() {
     const std::vector<Finding>& findings = page.document().findings();
     QVERIFY2(findings.size() >= 8, qPrintable(QString::number(findings.size())));
     readEach(*page.document().building(), findings);
+}
+
+void CoreWordsTest::whyAMapDoesNotOpenIsReadInPortuguese() {
+    QVERIFY(installTranslation(QStringLiteral("pt")));
+    QTemporaryDir folder;
+    const auto written = [&](const char* name, const QByteArray& content) {
+        QFile file(folder.filePath(QLatin1String(name)));
+        return file.open(QIODevice::WriteOnly) && file.write(content) == content.size()
+                   ? toUtf8(file.fileName())
+                   : std::string();
+    };
+    const auto english = [](const Error& error) { return toQString(error.message); };
+    const std::vector<std::string> sources{
+        folder.filePath(QStringLiteral("n1.gpkg")).toStdString(),
+        written("e1.zip", ""),
+        written("t1.txt", "x"),
+        written("b1.zip", "PK\3\4 and no more"),
+        written("j1.geojson", R"({"type":"FeatureCollection","features":)"),
+        written("f1.geojson", R"({"type":"FeatureCollection","features":[]})"),
+        written("g1.gml", "<IndoorFeatures xmlns='http://www.opengis.net/indoorgml/1.0/core'><a>")};
+    for (const std::string& source : sources) {
+        const auto loaded = building::loadBuilding(source);
+        QVERIFY(!loaded);
+        const auto imported = building::importBuilding(source);
+        QVERIFY(!imported);
+        for (const Error& error : {loaded.error(), imported.error()}) {
+            const QString text = CoreWords::problem(error);
+            // In brackets stands what a library says, in its own words.
+            const QString own = english(error).section(QStringLiteral(" ("), 0, 0);
+            QVERIFY2(!text.contains(own), qPrintable(text));
+            QVERIFY2(text.endsWith(QLatin1Char('.')), qPrintable(text));
+        }
+    }
+}
+
+void CoreWordsTest::problemsKeepTheirPlaces() {
+    QVERIFY(installTranslation(QStringLiteral("pt")));
+    QCOMPARE(CoreWords::problem(
+                 {ErrorCode::Corrupt, "width_m is no number", "a.gpkg, layer regions, feature number 3"}),
+             QStringLiteral("a.gpkg, camada regions, elemento número 3: width_m não é um número."));
+    QCOMPARE(CoreWords::problem({ErrorCode::Io, "cannot be opened (no such table: x)", ""}),
+             QStringLiteral("Não se consegue abrir (no such table: x)."));
+    QCOMPARE(CoreWords::problem({ErrorCode::Io, "nobody knows this one", ""}),
+             QStringLiteral("Nobody knows this one."));
+    const QString tried = CoreWords::problem(
+        {ErrorCode::UnsupportedFormat,
+         building::english(Sentence::UnknownKindOfMap, "a, b and 3 more", "osm, imdf"), ""});
+    QVERIFY2(tried.contains(QStringLiteral("a, b e mais 3 foi")), qPrintable(tried));
+    QCOMPARE(CoreWords::remark(
+                 "C: house.gpkg, layer accesses: 2 do not join two regions and are not walked through: a, b"),
+             QStringLiteral(
+                 "C: house.gpkg, camada accesses: 2 não ligam dois espaços e não se passa por eles: a, b."));
+    QCOMPARE(CoreWords::remark("a: b"), QStringLiteral("a: b"));
+    QVERIFY(installTranslation(QStringLiteral("en")));
+    QCOMPARE(CoreWords::problem({ErrorCode::Corrupt, "has no outline", "a.gpkg"}),
+             QStringLiteral("a.gpkg: has no outline."));
 }
 
 } // namespace farol::ui

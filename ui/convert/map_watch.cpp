@@ -96,7 +96,7 @@ void MapWatch::look() {
 }
 
 void MapWatch::judge(const FileStamp& stamp, Result<Map> found) {
-    if (!found) return void(Q_EMIT unreadable(toQString(found.error().text())));
+    if (!found) return void(Q_EMIT unreadable(found.error()));
     if (!building::sameContent((*found)->data(), m_asRead->data()))
         return void(Q_EMIT changed(*found, stamp));
     m_stamp = stamp;

@@ -50,7 +50,7 @@ Q_SIGNALS:
     void changed(const farol::ui::MapWatch::Map& map, const farol::ui::FileStamp& stamp);
     void changedBack(); ///< it says again what was read
     void gone();
-    void unreadable(const QString& message); ///< changed, and no map any more, or not yet
+    void unreadable(const farol::Error& error); ///< changed, and no map any more, or not yet
 
 private:
     void follow();

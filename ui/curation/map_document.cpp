@@ -2,6 +2,7 @@
 
 #include "core/building/geopackage.h"
 #include "ui/convert/convert.h"
+#include "ui/models/core_words.h"
 
 #include <QUndoCommand>
 
@@ -67,9 +68,9 @@ void MapDocument::connectWatch() {
         setOnlyHere(true);
         Q_EMIT fileGone();
     });
-    connect(&m_watch, &MapWatch::unreadable, this, [this](const QString& message) {
+    connect(&m_watch, &MapWatch::unreadable, this, [this](const Error& error) {
         setOnlyHere(true);
-        Q_EMIT fileUnreadable(message);
+        Q_EMIT fileUnreadable(CoreWords::problem(error));
     });
 }
 
@@ -136,7 +137,7 @@ void MapDocument::cancel() {
 
 void MapDocument::loaded(const QString& source, Result<Loaded> result) {
     begin(Work::None);
-    if (!result) return void(Q_EMIT failed(toQString(result.error().text())));
+    if (!result) return void(Q_EMIT failed(CoreWords::problem(result.error())));
     m_undo.clear();
     m_building = std::move(result->building);
     m_findings = std::move(result->findings);
@@ -185,7 +186,7 @@ void MapDocument::save(const QString& path, bool anyway) {
         [this, path, known, asRead, what = m_building, step = m_undo.index()](Result<Saved> result) {
             begin(Work::None);
             if (!result || result->overtaken) m_watch.follow(m_path, known, asRead);
-            if (!result) return void(Q_EMIT failed(toQString(result.error().text())));
+            if (!result) return void(Q_EMIT failed(CoreWords::problem(result.error())));
             if (result->overtaken) return void(Q_EMIT overtaken(path));
             if (what == m_building && step == m_undo.index())
                 m_undo.setClean();
@@ -237,7 +238,7 @@ void MapDocument::check() {
 
 bool MapDocument::push(const Result<building::Edit>& edit, const QString& text, bool nudge) {
     if (!edit) {
-        Q_EMIT refused(toQString(edit.error().text()));
+        Q_EMIT refused(CoreWords::problem(edit.error()));
         return false;
     }
     m_undo.push(new EditCommand(*this, *edit, text, nudge));

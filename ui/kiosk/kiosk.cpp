@@ -3,6 +3,7 @@
 #include "core/building/info.h"
 #include "ui/convert/convert.h"
 #include "ui/demo/demo.h"
+#include "ui/models/core_words.h"
 #include "ui/speech/spoken.h"
 
 #include <QDir>
@@ -165,8 +166,8 @@ void Kiosk::connectMapWatch() {
         setDetail(told);
         m_machine.remark(told);
     });
-    connect(&m_mapWatch, &MapWatch::unreadable, this, [this](const QString& message) {
-        setDetail(message);
+    connect(&m_mapWatch, &MapWatch::unreadable, this, [this](const Error& error) {
+        setDetail(CoreWords::problem(error));
         m_machine.remark(tr("The new map cannot be opened. I keep the old one."));
     });
 }

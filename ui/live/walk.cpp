@@ -3,6 +3,7 @@
 #include "core/base/database_source.h"
 #include "core/recognition/landmark_library.h"
 #include "ui/convert/convert.h"
+#include "ui/models/core_words.h"
 #include "ui/speech/phrasebook.h"
 
 #include <QDir>
@@ -46,7 +47,7 @@ void Walk::loadMap(const QString& path) {
 void Walk::mapLoaded(const QString& path, Result<building::LoadedBuilding> result) {
     if (!result) {
         m_playWanted = false;
-        Q_EMIT problem(Problem::Map, toQString(result.error().text()));
+        Q_EMIT problem(Problem::Map, CoreWords::problem(result.error()));
         return;
     }
     endSession();
@@ -60,7 +61,7 @@ void Walk::mapLoaded(const QString& path, Result<building::LoadedBuilding> resul
     const std::vector<std::string>& warnings = result->warnings;
     if (!warnings.empty()) {
         QString text = tr("%n remark(s) about the map: %1", nullptr, static_cast<int>(warnings.size()))
-                           .arg(toQString(warnings.front()));
+                           .arg(CoreWords::remark(warnings.front()));
         Q_EMIT remark(text);
     }
     startIfWanted();

@@ -6,6 +6,11 @@
 
 #include <QCoreApplication>
 #include <QLocale>
+#include <QRegularExpression>
+
+#include <algorithm>
+#include <array>
+#include <optional>
 
 namespace farol::ui {
 
@@ -50,9 +55,76 @@ QString translated(Sentence sentence, int count = -1) {
     return QCoreApplication::translate(kContext, building::textOf(sentence).text, nullptr, count);
 }
 
-/// What stands between the two places.
-QString middleOf(const QString& text) {
-    return text.section(QStringLiteral("%1"), 1).section(QStringLiteral("%2"), 0, 0);
+/// A row of the table as it is found in a text, its places as they were filled.
+struct Pattern {
+    Sentence sentence;
+    QRegularExpression filled;
+    qsizetype letters = 0; ///< of two patterns that fit, the longer one was meant
+};
+
+/// Frames of names, not sentences.
+constexpr std::array kFrames{Sentence::Nothing,         Sentence::InContext, Sentence::LayerOfFile,
+                             Sentence::FeatureNumberOf, Sentence::FeatureOf, Sentence::LineOf,
+                             Sentence::LevelOf,         Sentence::MoreOf};
+
+QRegularExpression filledIn(const char* english) {
+    static const QRegularExpression place(QStringLiteral("%[1-9]"));
+    QStringList between;
+    for (const QString& part : toQString(english).split(place)) between << QRegularExpression::escape(part);
+    return QRegularExpression(QRegularExpression::anchoredPattern(between.join(QStringLiteral("(.+)"))),
+                              QRegularExpression::DotMatchesEverythingOption);
+}
+
+std::vector<Pattern> patterns() {
+    std::vector<Pattern> all;
+    for (const building::SentenceText& row : building::allSentences())
+        if (!row.counts() && std::find(kFrames.begin(), kFrames.end(), row.sentence) == kFrames.end())
+            all.push_back({row.sentence, filledIn(row.text), toQString(row.text).size()});
+    std::stable_sort(all.begin(), all.end(),
+                     [](const Pattern& a, const Pattern& b) { return a.letters > b.letters; });
+    return all;
+}
+
+/// "a, b and 3 more", as core shortens a list.
+Argument listed(const QString& english) {
+    static const QRegularExpression more = filledIn(building::textOf(Sentence::MoreOf).text);
+    const QRegularExpressionMatch found = more.match(english);
+    bool number = false;
+    const int count = found.captured(2).toInt(&number);
+    if (!number) return toUtf8(english);
+    return building::said(Sentence::MoreOf, toUtf8(found.captured(1)), static_cast<double>(count));
+}
+
+/// Nothing when the table does not hold it.
+std::optional<QString> known(const QString& english) {
+    static const std::vector<Pattern> all = patterns();
+    for (const Pattern& pattern : all) {
+        const QRegularExpressionMatch found = pattern.filled.match(english);
+        if (!found.hasMatch()) continue;
+        std::vector<Argument> places;
+        for (int i = 1; i <= found.lastCapturedIndex(); ++i) places.push_back(listed(found.captured(i)));
+        return CoreWords::phrase({pattern.sentence, std::nullopt, std::move(places)});
+    }
+    return std::nullopt;
+}
+
+/// "house.gpkg, layer rooms", between whatever else stands there.
+QString translatedPlace(QString text, Sentence where) {
+    static const QRegularExpression places(QStringLiteral("%[12]"));
+    return text.replace(toQString(building::textOf(where).text).split(places).at(1),
+                        translated(where).split(places).value(1));
+}
+
+QString stopped(QString text) {
+    if (!text.isEmpty() && !QStringLiteral(".?!").contains(text.back())) text += QLatin1Char('.');
+    return text;
+}
+
+QString inContext(QString context, const QString& text) {
+    for (const Sentence where : {Sentence::LayerOfFile, Sentence::FeatureNumberOf, Sentence::FeatureOf,
+                                 Sentence::LineOf, Sentence::LevelOf})
+        context = translatedPlace(context, where);
+    return stopped(CoreWords::phrase(building::said(Sentence::InContext, toUtf8(context), toUtf8(text))));
 }
 
 } // namespace
@@ -66,16 +138,38 @@ QString CoreWords::phrase(const Message& message) {
 }
 
 QString CoreWords::sentence(const Message& message) {
-    QString text = phrase(message);
-    if (text.isEmpty()) return text;
-    text[0] = text[0].toUpper();
-    if (!QStringLiteral(".?!").contains(text.back())) text += QLatin1Char('.');
+    QString text = stopped(phrase(message));
+    if (!text.isEmpty()) text[0] = text[0].toUpper();
     return text;
 }
 
+QString CoreWords::problem(const Error& error) {
+    const QString english = toQString(error.message);
+    std::optional<QString> text = known(english);
+    static const QRegularExpression detailed(QStringLiteral("^(.*?) \\((.*)\\)$"),
+                                             QRegularExpression::DotMatchesEverythingOption);
+    if (const QRegularExpressionMatch parts = detailed.match(english); !text && parts.hasMatch())
+        if (const auto head = known(parts.captured(1))) // behind it, what a library says
+            text = QStringLiteral("%1 (%2)").arg(*head, parts.captured(2));
+    if (error.context.empty()) {
+        QString alone = stopped(text.value_or(english));
+        if (!alone.isEmpty()) alone[0] = alone[0].toUpper();
+        return alone;
+    }
+    return inContext(toQString(error.context), text.value_or(english));
+}
+
+QString CoreWords::remark(const std::string& warning) {
+    const QString english = toQString(warning), colon = QStringLiteral(": ");
+    for (qsizetype at = english.indexOf(colon); at >= 0;
+         at = english.indexOf(colon, at + 1)) // names may hold one
+        if (const auto text = known(english.mid(at + colon.size())))
+            return inContext(english.left(at), *text);
+    return english;
+}
+
 QString CoreWords::id(const std::string& id) {
-    const QString english = toQString(building::textOf(Sentence::LayerOfFile).text);
-    return toQString(id).replace(middleOf(english), middleOf(translated(Sentence::LayerOfFile)));
+    return translatedPlace(toQString(id), Sentence::LayerOfFile);
 }
 
 } // namespace farol::ui

@@ -58,8 +58,7 @@ Result<ImportedBuilding> finishImport(RawMap raw, MapFormat format) {
                          [](const Finding& a, const Finding& b) { return a.severity < b.severity; });
         return imported;
     } catch (const std::exception& failure) {
-        return Error{ErrorCode::Corrupt,
-                     std::string("the map cannot be put together (") + failure.what() + ")", ""};
+        return Error{ErrorCode::Corrupt, english(Sentence::NotPutTogether, failure.what()), ""};
     }
 }
 

@@ -47,15 +47,12 @@ std::string HulopBuilder::freeId(const std::string& wish) {
 Result<RawMap> HulopBuilder::build() {
     if (m_records.nodes.size() > kMaxNodes || m_records.links.size() > kMaxLinks ||
         m_records.facilities.size() > kMaxFacilities)
-        return Error{ErrorCode::Corrupt,
-                     "has more than 20,000 nodes or facilities or 50,000 links: cut the building out of it",
-                     m_context};
+        return Error{ErrorCode::Corrupt, english(Sentence::HulopTooMuch), m_context};
     GdalMessages quiet;
     chooseFloors();
     placeNodes();
     if (m_places.empty())
-        return Error{ErrorCode::UnsupportedFormat, "holds no node of a route network with a place",
-                     m_context};
+        return Error{ErrorCode::UnsupportedFormat, english(Sentence::HulopNoNodes), m_context};
     addLinks();
     nameShafts();
     shapeRegions();

@@ -47,7 +47,7 @@ public:
                 for (TaggedFeature& feature : collection->features) features.push_back(std::move(feature));
                 if (context.empty()) context = member.name;
                 if (features.size() > 200000)
-                    return Error{ErrorCode::Corrupt, "has more than 200,000 features", source.path};
+                    return Error{ErrorCode::Corrupt, english(Sentence::HulopTooManyFeatures), source.path};
             }
             auto map = HulopBuilder(hulopRecords(features, options.language), options,
                                     context.empty() ? source.path : context)
@@ -55,8 +55,7 @@ public:
             if (map) map->findings.insert(map->findings.begin(), findings.begin(), findings.end());
             return map;
         } catch (const std::exception& failure) {
-            return Error{ErrorCode::Corrupt, std::string("cannot be read (") + failure.what() + ")",
-                         source.path};
+            return Error{ErrorCode::Corrupt, english(Sentence::NotRead, failure.what()), source.path};
         }
     }
 };

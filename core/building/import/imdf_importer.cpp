@@ -48,18 +48,16 @@ public:
     Result<RawMap> read(const SourceListing& source, const ImportOptions& options) const override {
         std::vector<std::string> folders = venueFolders(source);
         if (folders.empty())
-            return Error{ErrorCode::UnsupportedFormat,
-                         "holds no unit.geojson: name the folder or zip of an IMDF venue", source.path};
+            return Error{ErrorCode::UnsupportedFormat, english(Sentence::ImdfNoUnits), source.path};
         if (folders.size() > 1)
-            return Error{ErrorCode::InvalidArgument,
-                         "holds " + std::to_string(folders.size()) +
-                             " IMDF venues: name the folder of one of them, such as " + folders.front(),
-                         source.path};
+            return Error{
+                ErrorCode::InvalidArgument,
+                english(Sentence::ImdfSeveralVenues, static_cast<double>(folders.size()), folders.front()),
+                source.path};
         try {
             return readVenue(source, folders.front(), options);
         } catch (const std::exception& failure) {
-            return Error{ErrorCode::Corrupt, std::string("cannot be read (") + failure.what() + ")",
-                         source.path};
+            return Error{ErrorCode::Corrupt, english(Sentence::NotRead, failure.what()), source.path};
         }
     }
 

@@ -43,8 +43,8 @@ std::string membersOf(const SourceListing& source) {
     std::string names;
     for (std::size_t i = 0; i < source.members.size() && i < 5; ++i)
         names += (i == 0 ? "" : ", ") + source.members[i].name;
-    return source.members.size() > 5 ? names + " and " + std::to_string(source.members.size() - 5) + " more"
-                                     : names;
+    if (source.members.size() <= 5) return names;
+    return english(Sentence::MoreOf, names, static_cast<double>(source.members.size() - 5));
 }
 
 Result<std::unique_ptr<Importer>> chosenImporter(const SourceListing& source, const ImportOptions& options) {
@@ -60,9 +60,7 @@ Result<std::unique_ptr<Importer>> chosenImporter(const SourceListing& source, co
         best = std::move(importer);
     }
     if (best != nullptr) return best;
-    return Error{ErrorCode::UnsupportedFormat,
-                 "is no indoor map of a kind that is known: " + membersOf(source) + " was tried as " + words +
-                     "; name its kind, or give a profile with its column names",
+    return Error{ErrorCode::UnsupportedFormat, english(Sentence::UnknownKindOfMap, membersOf(source), words),
                  source.path};
 }
 
@@ -126,7 +124,7 @@ Result<ImportedBuilding> importBuilding(const std::string& source, const ImportO
         error.context = source + (error.context.empty() ? "" : ", " + error.context);
         return error;
     } catch (const std::exception& failure) {
-        return Error{ErrorCode::Corrupt, std::string("cannot be imported (") + failure.what() + ")", source};
+        return Error{ErrorCode::Corrupt, english(Sentence::NotImported, failure.what()), source};
     }
 }
 

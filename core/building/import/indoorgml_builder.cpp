@@ -120,24 +120,21 @@ void IndoorGmlBuilder::note(Severity severity, const std::string& rule, const Me
 
 Result<RawMap> IndoorGmlBuilder::build() {
     if (m_root.name != "indoorfeatures")
-        return Error{ErrorCode::UnsupportedFormat, "is XML, but not IndoorGML (IndoorFeatures)", m_context};
+        return Error{ErrorCode::UnsupportedFormat, english(Sentence::GmlOtherXml), m_context};
     indexIds(m_root);
     findCrs(m_root);
     m_geometry.emplace(m_ids, m_swapped);
     readCells(m_root);
     if (m_cells.size() >= kMaxCells)
-        return Error{ErrorCode::Corrupt, "has more than 50,000 cells", m_context};
-    if (m_cells.empty())
-        return Error{ErrorCode::UnsupportedFormat,
-                     "has no cell with a usable outline: Farol needs CellSpace geometry", m_context};
+        return Error{ErrorCode::Corrupt, english(Sentence::GmlTooManyCells), m_context};
+    if (m_cells.empty()) return Error{ErrorCode::UnsupportedFormat, english(Sentence::GmlNoCells), m_context};
     readStates(m_root);
     readTransitions(m_root);
     setLevels();
     addAccesses();
     addRegions();
     if (m_map.data.regions.empty())
-        return Error{ErrorCode::UnsupportedFormat, "has no cells but doors: rooms and corridors are missing",
-                     m_context};
+        return Error{ErrorCode::UnsupportedFormat, english(Sentence::GmlDoorsAlone), m_context};
     m_map.explicitGraph = !m_links.empty();
     if (m_map.coordinates == RawCoordinates::Unknown)
         m_map.coordinates = RawCoordinates::Metric; // plain numbers: metres

@@ -19,7 +19,7 @@ public:
         const SourceMember* member = find(source);
         if (member == nullptr && source.members.size() == 1) member = &source.members.front();
         if (member == nullptr)
-            return Error{ErrorCode::UnsupportedFormat, "holds no IndoorGML file", source.path};
+            return Error{ErrorCode::UnsupportedFormat, english(Sentence::GmlNoFile), source.path};
         try {
             auto bytes = source.content(*member, kMaxBytes);
             if (!bytes) return bytes.error();
@@ -27,8 +27,7 @@ public:
             if (!document) return document.error();
             return IndoorGmlBuilder(*document, options, member->name).build();
         } catch (const std::exception& failure) {
-            return Error{ErrorCode::Corrupt, std::string("cannot be read (") + failure.what() + ")",
-                         member->name};
+            return Error{ErrorCode::Corrupt, english(Sentence::NotRead, failure.what()), member->name};
         }
     }
 

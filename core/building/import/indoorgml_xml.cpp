@@ -1,5 +1,7 @@
 #include "core/building/import/indoorgml_xml.h"
 
+#include "core/building/sentence.h"
+
 #include <algorithm>
 #include <cctype>
 #include <expat.h>
@@ -43,8 +45,8 @@ struct State {
 
 void XMLCALL startElement(void* data, const XML_Char* name, const XML_Char** attributes) {
     State& state = *static_cast<State*>(data);
-    if (++state.nodes > kMaxNodes) return state.refuse("has more than two million elements");
-    if (state.open.size() >= kMaxDepth) return state.refuse("is nested deeper than 100 elements");
+    if (++state.nodes > kMaxNodes) return state.refuse(english(Sentence::XmlTooManyElements));
+    if (state.open.size() >= kMaxDepth) return state.refuse(english(Sentence::XmlTooDeep));
     XmlNode node;
     node.name = localName(name);
     for (; *attributes != nullptr; attributes += 2) node.attributes[localName(attributes[0])] = attributes[1];
@@ -70,7 +72,7 @@ void XMLCALL characters(void* data, const XML_Char* text, int size) {
 
 void XMLCALL entityDeclared(void* data, const XML_Char*, int, const XML_Char*, int, const XML_Char*,
                             const XML_Char*, const XML_Char*, const XML_Char*) {
-    static_cast<State*>(data)->refuse("declares entities, which no map needs");
+    static_cast<State*>(data)->refuse(english(Sentence::XmlEntities));
 }
 
 struct ParserFree {
@@ -111,11 +113,12 @@ Result<XmlNode> parseXml(const std::string& bytes, const std::string& context) {
         bool last = at + size >= bytes.size();
         if (XML_Parse(parser.get(), bytes.data() + std::min(at, bytes.size()), static_cast<int>(size),
                       last) != XML_STATUS_OK) {
-            std::string why = state.refusal.empty() ? std::string("is damaged XML: ") +
-                                                          XML_ErrorString(XML_GetErrorCode(parser.get()))
+            std::string why = state.refusal.empty() ? english(Sentence::XmlDamaged,
+                                                              XML_ErrorString(XML_GetErrorCode(parser.get())))
                                                     : state.refusal;
-            return Error{ErrorCode::Corrupt, why,
-                         context + ", line " + std::to_string(XML_GetCurrentLineNumber(parser.get()))};
+            return Error{
+                ErrorCode::Corrupt, why,
+                english(Sentence::LineOf, context, std::to_string(XML_GetCurrentLineNumber(parser.get())))};
         }
         if (last) break;
     }

@@ -46,26 +46,20 @@ Result<void> listZip(SourceListing& listing) {
     auto entries = readZipDirectory(listing.path);
     if (!entries) return entries.error();
     if (entries->size() > kMostMembers)
-        return Error{ErrorCode::UnsupportedFormat,
-                     "the zip holds more than 10000 files: no map of a building does", listing.path};
+        return Error{ErrorCode::UnsupportedFormat, english(Sentence::ZipTooManyFiles), listing.path};
     std::uint64_t total = 0;
     for (const ZipEntry& entry : *entries) {
         std::string context = listing.path + ", " + entry.name;
         if (leavesFolder(entry.name))
-            return Error{ErrorCode::Corrupt,
-                         "a file in the zip has a name that leads out of it; the zip is not trusted",
-                         context};
+            return Error{ErrorCode::Corrupt, english(Sentence::ZipLeadsOut), context};
         if (entry.encrypted)
-            return Error{ErrorCode::UnsupportedFormat, "the zip is locked by a password; unpack it first",
-                         context};
+            return Error{ErrorCode::UnsupportedFormat, english(Sentence::ZipLocked), context};
         bool bomb =
             entry.size > kRatioFrom && entry.size / std::max<std::uint64_t>(entry.packed, 1) > kHighestRatio;
         total += entry.size;
         if (bomb || entry.size > kLargestMember || total > kLargestTotal)
             return Error{ErrorCode::UnsupportedFormat,
-                         "unpacks to " + std::to_string(total >> 20U) +
-                             " MB: too much for a map of a building",
-                         context};
+                         english(Sentence::ZipUnpacksTo, static_cast<double>(total >> 20U)), context};
         if (isLitter(entry.name)) continue;
         // Braces: the file need not be called .zip for GDAL to look inside.
         listing.members.push_back({entry.name, "/vsizip/{" + listing.path + "}/" + entry.name, entry.size});
@@ -84,10 +78,9 @@ Result<void> listFolder(SourceListing& listing) {
         if (isLitter(name)) continue;
         listing.members.push_back({name, walk->path().string(), walk->file_size(failure)});
         if (listing.members.size() > kMostMembers)
-            return Error{ErrorCode::UnsupportedFormat,
-                         "holds more than 10000 files: name the folder of one building", listing.path};
+            return Error{ErrorCode::UnsupportedFormat, english(Sentence::TooManyFiles), listing.path};
     }
-    if (failure) return Error{ErrorCode::Io, "cannot be listed (" + failure.message() + ")", listing.path};
+    if (failure) return Error{ErrorCode::Io, english(Sentence::NotListed, failure.message()), listing.path};
     return {};
 }
 
@@ -98,10 +91,10 @@ Result<SourceListing> listSource(const std::string& path) {
     listing.path = path;
     // Remote and nested file systems of GDAL are not opened on a map's word.
     if (path.empty() || (path.rfind("/vsi", 0) == 0 && path.rfind("/vsimem/", 0) != 0))
-        return Error{ErrorCode::InvalidArgument, "is no file or folder", path};
+        return Error{ErrorCode::InvalidArgument, english(Sentence::NoFileOrFolder), path};
     VSIStatBufL state;
     if (VSIStatL(path.c_str(), &state) != 0)
-        return Error{ErrorCode::NotFound, "there is no such file or folder", path};
+        return Error{ErrorCode::NotFound, english(Sentence::NoSuchSource), path};
     std::error_code failure;
     Result<void> listed;
     if (path.rfind("/vsimem/", 0) != 0 && fs::is_directory(path, failure)) {
@@ -115,7 +108,7 @@ Result<SourceListing> listSource(const std::string& path) {
             {path.substr(path.rfind('/') + 1), path, static_cast<std::uint64_t>(state.st_size)});
     }
     if (!listed) return listed.error();
-    if (listing.members.empty()) return Error{ErrorCode::NotFound, "holds no files", path};
+    if (listing.members.empty()) return Error{ErrorCode::NotFound, english(Sentence::HoldsNoFiles), path};
     std::stable_sort(
         listing.members.begin(), listing.members.end(),
         [](const SourceMember& a, const SourceMember& b) { return naturalLess(a.name, b.name); });

@@ -45,8 +45,7 @@ public:
         for (Region& region : source) mendOne(std::move(region));
         dropRepeats();
         if (m_raw.data.regions.empty())
-            return Error{ErrorCode::Corrupt,
-                         "there are no rooms, corridors or other areas in it: nothing to walk through", ""};
+            return Error{ErrorCode::Corrupt, english(Sentence::NothingToWalk), ""};
         for (Access& access : m_raw.data.accesses) {
             follow(access.regionA);
             follow(access.regionB);

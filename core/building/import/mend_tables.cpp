@@ -165,9 +165,7 @@ Result<void> mendLevels(BuildingData& data, FindingList& findings) {
         levels.push_back(std::move(level));
     }
     if (levels.size() > kMostLevels)
-        return Error{ErrorCode::Corrupt,
-                     "has " + std::to_string(levels.size()) +
-                         " levels: no building has; the level stands in another attribute: name that one",
+        return Error{ErrorCode::Corrupt, english(Sentence::TooManyLevels, static_cast<double>(levels.size())),
                      ""};
     data.levels = std::move(levels);
     return {};

@@ -98,7 +98,7 @@ public:
             if (!(std::abs(point->x) <= kFurthestUnits && std::abs(point->y) <= kFurthestUnits))
                 *point = {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
         auto box = extentOf(m_points);
-        if (!box) return Error{ErrorCode::Corrupt, "the map has no coordinates", ""};
+        if (!box) return Error{ErrorCode::Corrupt, english(Sentence::NoCoordinates), ""};
         m_box = *box;
         if (auto understood = readReference(); !understood) return understood;
         judgeUnits();
@@ -131,8 +131,7 @@ private:
         }
         if (m_reference) m_reference->SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
         if (m_reference && m_reference->IsGeocentric() != FALSE)
-            return Error{ErrorCode::UnsupportedFormat,
-                         "geocentric coordinates are no plan of a floor; project them", ""};
+            return Error{ErrorCode::UnsupportedFormat, english(Sentence::Geocentric), ""};
         return {};
     }
 
@@ -157,8 +156,7 @@ private:
         m_raw.data.crs.clear();
         if (std::max({std::abs(m_box.low.x), std::abs(m_box.low.y), std::abs(m_box.high.x),
                       std::abs(m_box.high.y)}) > 1e8)
-            return Error{ErrorCode::Corrupt,
-                         "coordinates are beyond 100,000 km: they are no metres of a building", ""};
+            return Error{ErrorCode::Corrupt, english(Sentence::BeyondAnyBuilding), ""};
         return {};
     }
 
@@ -224,14 +222,12 @@ private:
         OGRSpatialReference degrees = wgs84(), metric;
         Transform toDegrees(OGRCreateCoordinateTransformation(&*m_reference, &degrees));
         auto place = toDegrees == nullptr ? std::nullopt : transformed(*toDegrees, middle(m_box));
-        if (!place)
-            return messages.error(ErrorCode::Corrupt, "the coordinates do not lie where their CRS is defined",
-                                  "");
+        if (!place) return messages.error(ErrorCode::Corrupt, english(Sentence::OutsideTheirCrs), "");
         metric.importFromEPSG(utmCode(*place));
         metric.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
         Transform transform(OGRCreateCoordinateTransformation(&*m_reference, &metric));
         if (transform == nullptr)
-            return messages.error(ErrorCode::Corrupt, "the CRS cannot be brought to metres", "");
+            return messages.error(ErrorCode::Corrupt, english(Sentence::CrsNotToMetres), "");
         std::vector<double> x, y;
         for (const Point2* point : m_points) {
             x.push_back(point->x);

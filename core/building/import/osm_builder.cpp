@@ -47,10 +47,7 @@ OsmBuilder::NodeKey OsmBuilder::keyOf(Point2 degrees) {
 }
 
 Error OsmBuilder::tooMuch() const {
-    return {ErrorCode::Corrupt,
-            "makes more than 20,000 regions on its levels, or its ways cross too many of them: cut the "
-            "building out of it",
-            m_context};
+    return {ErrorCode::Corrupt, english(Sentence::OsmTooMuch), m_context};
 }
 
 Result<RawMap> OsmBuilder::build() {
@@ -62,9 +59,7 @@ Result<RawMap> OsmBuilder::build() {
     addWalkRegions();
     if (m_tooMuch) return tooMuch();
     if (m_map.data.regions.empty())
-        return Error{ErrorCode::UnsupportedFormat,
-                     "holds no indoor areas: rooms, corridors and areas must be tagged indoor=* with a level",
-                     m_context};
+        return Error{ErrorCode::UnsupportedFormat, english(Sentence::OsmNoIndoor), m_context};
     addDoors();
     addRoomOpenings();
     if (m_tooMuch) return tooMuch();

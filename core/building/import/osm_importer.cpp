@@ -18,8 +18,7 @@ public:
         const SourceMember* member = best(source).second;
         if (member == nullptr && source.members.size() == 1) member = &source.members.front();
         if (member == nullptr)
-            return Error{ErrorCode::UnsupportedFormat,
-                         "holds no OpenStreetMap file (.osm, .osm.pbf or GeoJSON made of one)", source.path};
+            return Error{ErrorCode::UnsupportedFormat, english(Sentence::OsmNoFile), source.path};
         try {
             std::vector<Finding> findings;
             auto features = readOsmFeatures(source, *member, findings);
@@ -28,8 +27,7 @@ public:
             if (map) map->findings.insert(map->findings.begin(), findings.begin(), findings.end());
             return map;
         } catch (const std::exception& failure) {
-            return Error{ErrorCode::Corrupt, std::string("cannot be read (") + failure.what() + ")",
-                         member->name};
+            return Error{ErrorCode::Corrupt, english(Sentence::NotRead, failure.what()), member->name};
         }
     }
 

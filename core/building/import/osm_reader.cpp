@@ -1,6 +1,7 @@
 #include "core/building/import/osm_reader.h"
 
 #include "core/base/ogr.h"
+#include "core/building/sentence.h"
 
 #include <cpl_vsi.h>
 #include <gdal_priv.h>
@@ -141,11 +142,9 @@ Result<std::vector<TaggedFeature>> readLayers(GDALDataset& dataset, const std::s
         else
             broken.ids.push_back(feature.id);
         if (features.size() > kMaxFeatures)
-            return Error{ErrorCode::Corrupt,
-                         "has more than 500,000 tagged features: cut the building out of it", context};
+            return Error{ErrorCode::Corrupt, english(Sentence::OsmTooManyFeatures), context};
     }
-    if (messages.failed())
-        return messages.error(ErrorCode::Corrupt, "is damaged OpenStreetMap data", context);
+    if (messages.failed()) return messages.error(ErrorCode::Corrupt, english(Sentence::OsmDamaged), context);
     if (!broken.ids.empty()) findings.push_back(std::move(broken));
     return features;
 }
@@ -162,7 +161,7 @@ Result<std::vector<TaggedFeature>> readThroughOgr(const SourceMember& member,
     DatasetPtr dataset(
         GDALDataset::Open(member.ogrPath.c_str(), GDAL_OF_VECTOR | GDAL_OF_VERBOSE_ERROR, drivers, options));
     if (dataset == nullptr)
-        return messages.error(ErrorCode::Corrupt, "cannot be read as OpenStreetMap data", member.name);
+        return messages.error(ErrorCode::Corrupt, english(Sentence::OsmNotRead), member.name);
     return readLayers(*dataset, member.name, findings);
 }
 
@@ -185,7 +184,7 @@ int looksLikeOsm(const SourceMember& member, const std::string& head) {
 Result<std::vector<TaggedFeature>> readOsmFeatures(const SourceListing& source, const SourceMember& member,
                                                    std::vector<Finding>& findings) {
     std::string head = source.head(member);
-    if (head.empty()) return Error{ErrorCode::Corrupt, "is empty or cannot be read", member.name};
+    if (head.empty()) return Error{ErrorCode::Corrupt, english(Sentence::EmptyFile), member.name};
     std::size_t first = head.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
     if (first == std::string::npos || head[first] != '{') return readThroughOgr(member, findings);
     auto text = source.content(member, kMaxGeoJsonBytes);

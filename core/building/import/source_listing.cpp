@@ -40,7 +40,7 @@ std::string SourceListing::head(const SourceMember& member, std::size_t bytes) c
 Result<std::string> SourceListing::content(const SourceMember& member, std::uint64_t limit) const {
     GdalMessages quiet;
     VsiFile file(VSIFOpenL(member.ogrPath.c_str(), "rb"));
-    if (file == nullptr) return Error{ErrorCode::Io, "cannot be opened", member.name};
+    if (file == nullptr) return Error{ErrorCode::Io, english(Sentence::NotOpened), member.name};
     std::string text;
     constexpr std::size_t kBlock = 1U << 20U;
     for (;;) { // in blocks: the size a zip states may be a lie
@@ -49,8 +49,7 @@ Result<std::string> SourceListing::content(const SourceMember& member, std::uint
         std::size_t got = VSIFReadL(text.data() + before, 1, kBlock, file.get());
         text.resize(before + got);
         if (text.size() > limit)
-            return Error{ErrorCode::Corrupt,
-                         "is larger than " + std::to_string(limit >> 20U) + " MB: no map of a building is",
+            return Error{ErrorCode::Corrupt, english(Sentence::FileOverMb, static_cast<double>(limit >> 20U)),
                          member.name};
         if (got < kBlock) return text;
     }

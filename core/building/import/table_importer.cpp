@@ -38,17 +38,15 @@ public:
             for (const SourceMember& member : source.members) {
                 if (!fits(source, member) && source.members.size() > 1) continue;
                 if (member.size > kLargestFile)
-                    return Error{ErrorCode::UnsupportedFormat,
-                                 "is larger than 1 GB: too much for a map of a building", member.name};
+                    return Error{ErrorCode::UnsupportedFormat, english(Sentence::FileOverOneGb), member.name};
                 any = true;
                 if (auto done = reader.read(member); !done) return done.error();
             }
             if (any) return reader.finish(source.path);
             return Error{ErrorCode::UnsupportedFormat,
-                         "holds no file of the format " + mapFormatName(m_format), source.path};
+                         english(Sentence::NoFileOfFormat, mapFormatName(m_format)), source.path};
         } catch (const std::exception& failure) {
-            return Error{ErrorCode::Corrupt, std::string("cannot be read (") + failure.what() + ")",
-                         source.path};
+            return Error{ErrorCode::Corrupt, english(Sentence::NotRead, failure.what()), source.path};
         }
     }
 

@@ -3,6 +3,7 @@
 #include "core/base/ogr.h"
 #include "core/base/text.h"
 #include "core/building/import/height_levels.h"
+#include "core/building/sentence.h"
 
 #include <gdal_priv.h>
 #include <ogrsf_frmts.h>
@@ -166,8 +167,7 @@ Result<void> TableReader::readLayer(OGRLayer& source, const SourceMember& member
     source.ResetReading();
     while (OGRFeatureUniquePtr row{source.GetNextFeature()}) {
         if (++m_features > kMostFeatures)
-            return Error{ErrorCode::UnsupportedFormat, "holds more than a million features: no building does",
-                         layer.context};
+            return Error{ErrorCode::UnsupportedFormat, english(Sentence::TooManyFeatures), layer.context};
         ++layer.features;
         if (table)
             readLevelRow(*row);
@@ -181,7 +181,7 @@ Result<void> TableReader::readLayer(OGRLayer& source, const SourceMember& member
     }
     // What a driver complains of while reading is a damaged file; half of a building is worse than none.
     if (messages.failed())
-        return messages.error(ErrorCode::Corrupt, "cannot be read to its end", layer.context);
+        return messages.error(ErrorCode::Corrupt, english(Sentence::NotReadToItsEnd), layer.context);
     if (layer.features == 0) m_empty.insert(layer.context);
     return {};
 }
@@ -262,9 +262,7 @@ Result<void> TableReader::levelsFromHeights() {
         for (const auto& [at, height] : *each) heights.push_back(height);
     HeightLevels levels(std::move(heights));
     if (levels.empty() && m_options.levelFrom == "z")
-        return Error{ErrorCode::InvalidArgument,
-                     "the shapes have no heights (z) that levels could be taken from; name a column instead",
-                     ""};
+        return Error{ErrorCode::InvalidArgument, english(Sentence::NoHeights), ""};
     if (levels.empty()) return {};
     auto apply = [&](auto& items, const std::map<std::size_t, double>& known) {
         for (const auto& [at, height] : known) items[at].level = levels.ordinalOf(height);
@@ -532,18 +530,14 @@ Result<RawMap> TableReader::finish(const std::string& source) {
     std::string empty;
     for (const std::string& layer : m_empty) empty += (empty.empty() ? "" : ", ") + layer;
     if (data.regions.empty()) {
-        std::string only;
+        Message nothing = Sentence::HoldsNoRooms;
         if (!data.accesses.empty())
-            only = "; " + data.accesses.front().id.value +
-                   " and what else is a door touches no region (access-joins-two-regions)";
+            nothing = said(Sentence::HoldsDoorsAlone, data.accesses.front().id.value);
         else if (!data.walls.empty())
-            only = "; lines alone enclose no rooms (layer-role)";
+            nothing = Sentence::HoldsLinesAlone;
         else if (!empty.empty())
-            only = "; there are no features in " + empty + " (layer-empty)";
-        return Error{ErrorCode::Corrupt,
-                     "holds no rooms, corridors or other areas to walk through" + only +
-                         ": name the folder with all layers, or say what they are in a profile",
-                     source};
+            nothing = said(Sentence::HoldsNoFeatures, empty);
+        return Error{ErrorCode::Corrupt, nothing.english(), source};
     }
     if (!empty.empty())
         m_findings.add({Severity::Warning, "layer-empty", said(Sentence::LayersEmpty, empty), "", {}});

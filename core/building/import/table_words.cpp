@@ -3,6 +3,7 @@
 #include "core/base/file.h"
 #include "core/base/text.h"
 #include "core/building/import/imdf_categories.h"
+#include "core/building/sentence.h"
 
 #include <nlohmann/json.hpp>
 
@@ -216,9 +217,7 @@ Result<TableWords> TableWords::fromProfile(const std::string& path) {
     auto text = readFile(path);
     if (!text) return text.error();
     Json json = Json::parse(*text, nullptr, false);
-    if (!json.is_object())
-        return Error{ErrorCode::InvalidArgument, "is no JSON object with columns, codes, levels or layers",
-                     path};
+    if (!json.is_object()) return Error{ErrorCode::InvalidArgument, english(Sentence::ProfileNoObject), path};
     const auto part = [&](const char* key) {
         auto found = json.find(key);
         return found != json.end() && found->is_object() ? *found : Json(Json::object());
@@ -228,7 +227,7 @@ Result<TableWords> TableWords::fromProfile(const std::string& path) {
     for (const auto& [meaning, names] : columns.items()) {
         auto known = words.m_columns.find(meaning);
         if (known == words.m_columns.end())
-            return Error{ErrorCode::InvalidArgument, "there is no column meaning \"" + meaning + "\"", path};
+            return Error{ErrorCode::InvalidArgument, english(Sentence::ProfileColumn, meaning), path};
         std::vector<std::string> own = textsIn(names);
         known->second.insert(known->second.begin(), own.begin(), own.end());
     }
@@ -243,8 +242,7 @@ Result<TableWords> TableWords::fromProfile(const std::string& path) {
             auto role =
                 rule["role"].is_string() ? roleFromName(rule["role"].get<std::string>()) : std::nullopt;
             if (!role)
-                return Error{ErrorCode::InvalidArgument, "the role of layer \"" + pattern + "\" is unknown",
-                             path};
+                return Error{ErrorCode::InvalidArgument, english(Sentence::ProfileRole, pattern), path};
             layer.role = *role;
         }
         if (rule.is_object() && rule.contains("level") && rule["level"].is_number())

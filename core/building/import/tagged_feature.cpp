@@ -1,6 +1,7 @@
 #include "core/building/import/tagged_feature.h"
 
 #include "core/base/text.h"
+#include "core/building/sentence.h"
 
 #include <nlohmann/json.hpp>
 #include <ogr_geometry.h>
@@ -143,9 +144,9 @@ Result<TaggedCollection> collectionOf(const Json& json, const std::string& conte
                                       std::vector<Finding>& findings) {
     auto features = json.is_object() ? json.find("features") : json.end();
     if (features == json.end() || !features->is_array())
-        return Error{ErrorCode::UnsupportedFormat, "is no GeoJSON FeatureCollection", context};
+        return Error{ErrorCode::UnsupportedFormat, english(Sentence::NoFeatureCollection), context};
     if (features->size() > kMaxFeatures)
-        return Error{ErrorCode::Corrupt, "has more than 500,000 features: no building has", context};
+        return Error{ErrorCode::Corrupt, english(Sentence::TooManyShapes), context};
     TaggedCollection collection;
     for (const auto& [key, value] : json.items())
         if (value.is_primitive() && !value.is_null()) collection.members[key] = plainText(value);
@@ -182,12 +183,12 @@ const std::string& TaggedFeature::tag(const std::string& key) const {
 
 Result<TaggedCollection> readTaggedGeoJson(const std::string& text, const std::string& context,
                                            std::vector<Finding>& findings) {
-    if (tooDeep(text)) return Error{ErrorCode::Corrupt, "is nested deeper than any map", context};
+    if (tooDeep(text)) return Error{ErrorCode::Corrupt, english(Sentence::JsonTooDeep), context};
     try {
         Json json = Json::parse(text);
         return collectionOf(json, context, findings);
     } catch (const std::exception& failure) {
-        return Error{ErrorCode::Corrupt, std::string("is damaged JSON (") + failure.what() + ")", context};
+        return Error{ErrorCode::Corrupt, english(Sentence::JsonDamaged, failure.what()), context};
     }
 }
 

@@ -37,9 +37,9 @@ std::string textOf(const Json& object, const char* key) {
 Result<std::vector<LevelEntry>> levelsOf(const Json& main, const std::string& context) {
     auto levels = main.is_object() ? main.find("levels") : main.end();
     if (levels == main.end() || !levels->is_array() || levels->empty())
-        return Error{ErrorCode::UnsupportedFormat, "lists no levels, as main.json of a WRLD map does",
-                     context};
-    if (levels->size() > kMaxLevels) return Error{ErrorCode::Corrupt, "lists more than 300 levels", context};
+        return Error{ErrorCode::UnsupportedFormat, english(Sentence::WrldNoLevels), context};
+    if (levels->size() > kMaxLevels)
+        return Error{ErrorCode::Corrupt, english(Sentence::WrldTooManyLevels), context};
     std::vector<LevelEntry> entries;
     std::set<double> orders;
     for (const Json& level : *levels) {
@@ -49,8 +49,8 @@ Result<std::vector<LevelEntry>> levelsOf(const Json& main, const std::string& co
         bool number = order != level.end() && order->is_number_integer();
         entry.zOrder = number ? order->get<double>() : 0.0;
         if (!number || std::abs(entry.zOrder) > 1000.0 || !orders.insert(entry.zOrder).second)
-            return Error{ErrorCode::Corrupt, "a level has no z_order of its own",
-                         context + ", level " + entry.id};
+            return Error{ErrorCode::Corrupt, english(Sentence::WrldLevelOrder),
+                         english(Sentence::LevelOf, context, entry.id)};
         if (entry.name.empty()) entry.name = formatNumber(entry.zOrder);
         entries.push_back(std::move(entry));
     }
@@ -102,8 +102,7 @@ public:
             if (auto done = readLevel(level, level.zOrder - ground); !done) return done.error();
         }
         if (m_map.data.regions.empty())
-            return Error{ErrorCode::UnsupportedFormat, "no floor has a room or an outline with walls",
-                         context};
+            return Error{ErrorCode::UnsupportedFormat, english(Sentence::WrldNoRooms), context};
         m_map.data.title = textOf(m_main, "name");
         m_map.coordinates = RawCoordinates::Geographic;
         m_map.openBoundaries =
@@ -129,9 +128,7 @@ private:
     Result<void> readLevel(const LevelEntry& entry, double ordinal) {
         const SourceMember* member = entry.file.empty() ? nullptr : m_source.find(entry.file);
         if (member == nullptr)
-            return Error{ErrorCode::NotFound,
-                         "the floor's file \"" + entry.file +
-                             "\" is missing: import the folder or zip that holds it",
+            return Error{ErrorCode::NotFound, english(Sentence::WrldFloorMissing, entry.file),
                          "level " + entry.id};
         auto text = m_source.content(*member, kMaxFloorBytes);
         if (!text) return text.error();
@@ -139,9 +136,7 @@ private:
         if (!collection) return collection.error();
         m_features += collection->features.size();
         if (collection->features.size() > kMaxFloorFeatures || m_features > kMaxFeatures)
-            return Error{ErrorCode::Corrupt,
-                         "has more than 10,000 features on a floor or 40,000 in all: no building has",
-                         member->name};
+            return Error{ErrorCode::Corrupt, english(Sentence::WrldTooManyFeatures), member->name};
         WrldFloor floor(std::move(collection->features), m_plane, ordinal, entry.name);
         floor.build();
         Level level;
@@ -230,15 +225,14 @@ public:
     Result<RawMap> read(const SourceListing& source, const ImportOptions&) const override {
         const SourceMember* main = source.find("main.json");
         if (main == nullptr)
-            return Error{ErrorCode::UnsupportedFormat,
-                         "holds no main.json: name the folder or zip of the WRLD map", source.path};
+            return Error{ErrorCode::UnsupportedFormat, english(Sentence::WrldNoMain), source.path};
         auto text = source.content(*main, kMaxMainBytes);
         if (!text) return text.error();
         try {
             // Nesting is bounded by the size, and this parser keeps its own stack.
             return Reader(source, Json::parse(*text)).read(main->name);
         } catch (const std::exception& failure) {
-            return Error{ErrorCode::Corrupt, std::string("is damaged (") + failure.what() + ")", main->name};
+            return Error{ErrorCode::Corrupt, english(Sentence::WrldDamaged, failure.what()), main->name};
         }
     }
 };

@@ -1,5 +1,7 @@
 #include "core/building/import/zip_directory.h"
 
+#include "core/building/sentence.h"
+
 #include <cpl_vsi.h>
 
 #include <algorithm>
@@ -47,8 +49,7 @@ Result<std::vector<ZipEntry>> entriesOf(std::string_view directory, const std::s
         entries.push_back(std::move(entry));
         at += kEntrySize + nameLength + rest;
     }
-    if (at != directory.size())
-        return Error{ErrorCode::Corrupt, "the zip's list of files is damaged; make the zip again", path};
+    if (at != directory.size()) return Error{ErrorCode::Corrupt, english(Sentence::ZipListDamaged), path};
     return entries;
 }
 
@@ -63,7 +64,7 @@ bool looksLikeZip(const std::string& path) {
 
 Result<std::vector<ZipEntry>> readZipDirectory(const std::string& path) {
     VsiFile file(VSIFOpenL(path.c_str(), "rb"));
-    if (file == nullptr) return Error{ErrorCode::Io, "cannot be opened", path};
+    if (file == nullptr) return Error{ErrorCode::Io, english(Sentence::NotOpened), path};
     VSIFSeekL(file.get(), 0, SEEK_END);
     std::uint64_t size = VSIFTellL(file.get());
     std::uint64_t tailSize =
@@ -71,14 +72,11 @@ Result<std::vector<ZipEntry>> readZipDirectory(const std::string& path) {
     std::string tail = readAt(*file, size - tailSize, tailSize);
     std::size_t end = tail.rfind(std::string_view("PK\x05\x06", 4));
     if (end == std::string::npos || end + kEndSize > tail.size())
-        return Error{ErrorCode::Corrupt, "the zip is cut off: its list of files is missing; copy it again",
-                     path};
+        return Error{ErrorCode::Corrupt, english(Sentence::ZipCutOff), path};
     std::uint64_t count = littleEndian(tail, end + 12, 4), offset = littleEndian(tail, end + 16, 4);
     if (count == 0xFFFFFFFF || offset == 0xFFFFFFFF || count > kLargestDirectory)
-        return Error{ErrorCode::UnsupportedFormat,
-                     "the zip is larger than any map; unpack it and name the folder", path};
-    if (offset + count > size)
-        return Error{ErrorCode::Corrupt, "the zip's list of files lies outside it; make the zip again", path};
+        return Error{ErrorCode::UnsupportedFormat, english(Sentence::ZipTooLarge), path};
+    if (offset + count > size) return Error{ErrorCode::Corrupt, english(Sentence::ZipListOutside), path};
     return entriesOf(readAt(*file, offset, count), path);
 }
 

@@ -740,7 +740,7 @@
     </message>
     <message>
         <source>is no indoor map of a kind that is known: %1 was tried as %2; name its kind, or give a profile with its column names</source>
-        <translation>ist keine Gebäudekarte einer bekannten Art: %1 wurde versucht als %2; nennen Sie die Art, oder geben Sie ein Profil mit den Spaltennamen an</translation>
+        <translation>ist keine Gebäudekarte einer bekannten Art: versucht wurde %1 als %2; nennen Sie die Art, oder geben Sie ein Profil mit den Spaltennamen an</translation>
     </message>
     <message>
         <source>holds no file of the format %1</source>

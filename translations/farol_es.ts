@@ -740,7 +740,7 @@
     </message>
     <message>
         <source>is no indoor map of a kind that is known: %1 was tried as %2; name its kind, or give a profile with its column names</source>
-        <translation>no es un mapa de interiores de un tipo conocido: %1 se probó como %2; indique el tipo, o dé un perfil con los nombres de las columnas</translation>
+        <translation>no es un mapa de interiores de un tipo conocido: se probó %1 como %2; indique el tipo, o dé un perfil con los nombres de las columnas</translation>
     </message>
     <message>
         <source>holds no file of the format %1</source>

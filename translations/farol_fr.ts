@@ -740,7 +740,7 @@
     </message>
     <message>
         <source>is no indoor map of a kind that is known: %1 was tried as %2; name its kind, or give a profile with its column names</source>
-        <translation>n&apos;est pas un plan d&apos;intérieur d&apos;un type connu&#xa0;: %1 a été essayé comme %2&#xa0;; indiquez le type, ou donnez un profil avec les noms des colonnes</translation>
+        <translation>n&apos;est pas un plan d&apos;intérieur d&apos;un type connu&#xa0;: on a essayé %1 comme %2&#xa0;; indiquez le type, ou donnez un profil avec les noms des colonnes</translation>
     </message>
     <message>
         <source>holds no file of the format %1</source>

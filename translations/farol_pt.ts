@@ -740,7 +740,7 @@
     </message>
     <message>
         <source>is no indoor map of a kind that is known: %1 was tried as %2; name its kind, or give a profile with its column names</source>
-        <translation>não é um mapa de interiores de um tipo conhecido: %1 foi experimentado como %2; indique o tipo, ou dê um perfil com os nomes das colunas</translation>
+        <translation>não é um mapa de interiores de um tipo conhecido: experimentou-se %1 como %2; indique o tipo, ou dê um perfil com os nomes das colunas</translation>
     </message>
     <message>
         <source>holds no file of the format %1</source>

@@ -12,6 +12,16 @@ namespace farol::ui {
 
 namespace {
 
+/// A sentence that names all its features needs no list of them.
+bool namesAll(const building::Finding& finding) {
+    const std::vector<building::Argument>& said = finding.said.arguments;
+    return std::all_of(finding.ids.begin(), finding.ids.end(), [&](const std::string& id) {
+        return std::any_of(said.begin(), said.end(), [&](const building::Argument& argument) {
+            return argument.is == building::Argument::Is::Text && argument.text == id;
+        });
+    });
+}
+
 constexpr quintptr kBranch = 0; // internal ids: 0 for a branch, its row + 1 for what is under it
 
 } // namespace
@@ -73,7 +83,7 @@ QString FindingModel::explained(const QModelIndex& index) const {
     QStringList lines{tr("%1: %2").arg(severityWord(branch.severity), RuleWords::title(branch.rule))};
     if (finding) lines << CoreWords::sentence(finding->said);
     if (const QString fix = RuleWords::fix(branch.rule); !fix.isEmpty()) lines << fix;
-    if (finding && !finding->ids.empty()) lines << idsOf(*finding, 30);
+    if (finding && !namesAll(*finding)) lines << idsOf(*finding, 30);
     lines << tr("Rule: %1").arg(toQString(branch.rule));
     return lines.join(QLatin1Char('\n'));
 }

@@ -25,7 +25,7 @@ def asked(command):
     done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, check=False)
     if done.returncode != 0:
         raise RuntimeError(f"{' '.join(map(str, command))}: {done.stderr.strip()[-400:]}")
-    return json.loads(done.stdout)
+    return done.stdout
 
 
 def drawn_pairs(cli, arguments):
@@ -34,7 +34,7 @@ def drawn_pairs(cli, arguments):
                str(arguments.seed), "--json"]
     if "--sparse-landmarks" in arguments.rest:
         command.append("--sparse-landmarks")
-    return [(walk["from"], walk["to"], walk["seed"]) for walk in asked(command)["walks"]]
+    return [(walk["from"], walk["to"], walk["seed"]) for walk in json.loads(asked(command))["walks"]]
 
 
 def ended(walk):
@@ -91,6 +91,7 @@ def main():
     parser.add_argument("--seed", type=int, default=4000)
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
     parser.add_argument("--log", required=True, help="JSON lines; walks that stand in it are not walked again")
+    parser.add_argument("--transcripts", help="folder for what was said and where the walker was, a file a walk")
     parser.add_argument("--summary", action="store_true")
     arguments, rest = parser.parse_known_args()
     arguments.rest = [word for word in rest if word != "--"]
@@ -107,8 +108,14 @@ def main():
     def walk(number, pair):
         command = [cli, "simulate", arguments.map, "--obey", "--library", library, "--fps", FPS, "--json",
                    "--from", pair[0], "--to", pair[1], "--seed", str(pair[2])] + arguments.rest
-        return {"number": number, "from": pair[0], "to": pair[1], "seed": pair[2], **asked(command)}
+        # The transcript comes first, the result in the last line.
+        lines = asked(command + ["--transcript"]).splitlines()
+        if arguments.transcripts:
+            Path(arguments.transcripts, f"{number}.txt").write_text("\n".join(lines) + "\n")
+        return {"number": number, "from": pair[0], "to": pair[1], "seed": pair[2], **json.loads(lines[-1])}
 
+    if arguments.transcripts:
+        Path(arguments.transcripts).mkdir(parents=True, exist_ok=True)
     pairs = list(enumerate(drawn_pairs(cli, arguments)))
     failed = 0
     with ThreadPoolExecutor(arguments.jobs) as pool, log.open("a") as out:

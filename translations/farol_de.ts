@@ -1150,6 +1150,82 @@
         <source>no kind, treated as other: %1</source>
         <translation>ohne Art, als sonstige behandelt: %1</translation>
     </message>
+    <message>
+        <source>a place is empty: give a region&apos;s id, name or ref, or x,y,level</source>
+        <translation>der Ort ist leer: nennen Sie Kennung, Namen oder Nummer einer Region, oder x,y,Ebene</translation>
+    </message>
+    <message>
+        <source>no region of level %1 holds this point</source>
+        <translation>keine Region der Ebene %1 enthält diesen Punkt</translation>
+    </message>
+    <message>
+        <source>several regions are called so: %1; give one of these ids</source>
+        <translation>mehrere Regionen heißen so: %1; nennen Sie eine dieser Kennungen</translation>
+    </message>
+    <message>
+        <source>no region has this id, name or ref</source>
+        <translation>keine Region hat diese Kennung, diesen Namen oder diese Nummer</translation>
+    </message>
+    <message>
+        <source>no region has this id, name or ref; near spellings: %1</source>
+        <translation>keine Region hat diese Kennung, diesen Namen oder diese Nummer; ähnlich: %1</translation>
+    </message>
+    <message>
+        <source>%1 (level %2)</source>
+        <translation>%1 (Ebene %2)</translation>
+    </message>
+    <message>
+        <source>the map has no region &quot;%1&quot;</source>
+        <translation>die Karte hat keine Region „%1“</translation>
+    </message>
+    <message>
+        <source>the position is no number</source>
+        <translation>die Position ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>is out of its range</source>
+        <translation>liegt außerhalb seines Bereichs</translation>
+    </message>
+    <message>
+        <source>has an outline that is none</source>
+        <translation>hat einen Umriss, der keiner ist</translation>
+    </message>
+    <message>
+        <source>has no position</source>
+        <translation>hat keine Position</translation>
+    </message>
+    <message>
+        <source>a wall has no length</source>
+        <translation>eine Wand hat keine Länge</translation>
+    </message>
+    <message>
+        <source>the map cannot be written there</source>
+        <translation>die Karte lässt sich dort nicht schreiben</translation>
+    </message>
+    <message>
+        <source>cannot be copied before saving</source>
+        <translation>lässt sich vor dem Speichern nicht kopieren</translation>
+    </message>
+    <message>
+        <source>writing the map failed: %1</source>
+        <translation>das Schreiben der Karte ist gescheitert: %1</translation>
+    </message>
+    <message>
+        <source>the map may not be changed now: someone else is changing it, or the user has no right to; nothing was written, save again in a moment</source>
+        <translation>die Karte darf jetzt nicht geändert werden: jemand anders ändert sie gerade, oder der Benutzer hat kein Recht dazu; nichts wurde geschrieben, speichern Sie gleich noch einmal</translation>
+    </message>
+    <message>
+        <source>the database has no PostGIS: ask its administrator to add that extension</source>
+        <translation>die Datenbank hat kein PostGIS: bitten Sie die Verwaltung, diese Erweiterung einzurichten</translation>
+    </message>
+    <message>
+        <source>this is no picture that can be read; use PNG, JPEG or GeoTIFF</source>
+        <translation>das ist kein lesbares Bild; nehmen Sie PNG, JPEG oder GeoTIFF</translation>
+    </message>
+    <message>
+        <source>the picture is damaged: save it anew</source>
+        <translation>das Bild ist beschädigt: speichern Sie es neu</translation>
+    </message>
 </context>
 <context>
     <name>farol::Options</name>

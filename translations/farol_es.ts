@@ -1150,6 +1150,82 @@
         <source>no kind, treated as other: %1</source>
         <translation>sin tipo, tratado como otro: %1</translation>
     </message>
+    <message>
+        <source>a place is empty: give a region&apos;s id, name or ref, or x,y,level</source>
+        <translation>el lugar está vacío: indique el identificador, el nombre o la referencia de una región, o x,y,planta</translation>
+    </message>
+    <message>
+        <source>no region of level %1 holds this point</source>
+        <translation>ninguna región de la planta %1 contiene este punto</translation>
+    </message>
+    <message>
+        <source>several regions are called so: %1; give one of these ids</source>
+        <translation>hay varias regiones con este nombre: %1; indique uno de estos identificadores</translation>
+    </message>
+    <message>
+        <source>no region has this id, name or ref</source>
+        <translation>ninguna región tiene este identificador, nombre ni referencia</translation>
+    </message>
+    <message>
+        <source>no region has this id, name or ref; near spellings: %1</source>
+        <translation>ninguna región tiene este identificador, nombre ni referencia; parecidos: %1</translation>
+    </message>
+    <message>
+        <source>%1 (level %2)</source>
+        <translation>%1 (planta %2)</translation>
+    </message>
+    <message>
+        <source>the map has no region &quot;%1&quot;</source>
+        <translation>el mapa no tiene la región “%1”</translation>
+    </message>
+    <message>
+        <source>the position is no number</source>
+        <translation>la posición no es un número</translation>
+    </message>
+    <message>
+        <source>is out of its range</source>
+        <translation>está fuera de sus límites</translation>
+    </message>
+    <message>
+        <source>has an outline that is none</source>
+        <translation>tiene un contorno que no lo es</translation>
+    </message>
+    <message>
+        <source>has no position</source>
+        <translation>no tiene posición</translation>
+    </message>
+    <message>
+        <source>a wall has no length</source>
+        <translation>una pared no tiene longitud</translation>
+    </message>
+    <message>
+        <source>the map cannot be written there</source>
+        <translation>no se puede escribir el mapa allí</translation>
+    </message>
+    <message>
+        <source>cannot be copied before saving</source>
+        <translation>no se puede copiar antes de guardar</translation>
+    </message>
+    <message>
+        <source>writing the map failed: %1</source>
+        <translation>no se pudo escribir el mapa: %1</translation>
+    </message>
+    <message>
+        <source>the map may not be changed now: someone else is changing it, or the user has no right to; nothing was written, save again in a moment</source>
+        <translation>ahora no se puede cambiar el mapa: otra persona lo está cambiando, o el usuario no tiene derecho a ello; no se escribió nada, guarde de nuevo en un momento</translation>
+    </message>
+    <message>
+        <source>the database has no PostGIS: ask its administrator to add that extension</source>
+        <translation>la base de datos no tiene PostGIS: pida a su administrador que añada esa extensión</translation>
+    </message>
+    <message>
+        <source>this is no picture that can be read; use PNG, JPEG or GeoTIFF</source>
+        <translation>esto no es una imagen que se pueda leer; use PNG, JPEG o GeoTIFF</translation>
+    </message>
+    <message>
+        <source>the picture is damaged: save it anew</source>
+        <translation>la imagen está dañada: guárdela de nuevo</translation>
+    </message>
 </context>
 <context>
     <name>farol::Options</name>

@@ -1150,6 +1150,82 @@
         <source>no kind, treated as other: %1</source>
         <translation>sans type, traité comme autre&#xa0;: %1</translation>
     </message>
+    <message>
+        <source>a place is empty: give a region&apos;s id, name or ref, or x,y,level</source>
+        <translation>le lieu est vide&#xa0;: indiquez l&apos;identifiant, le nom ou la référence d&apos;une région, ou x,y,niveau</translation>
+    </message>
+    <message>
+        <source>no region of level %1 holds this point</source>
+        <translation>aucune région du niveau %1 ne contient ce point</translation>
+    </message>
+    <message>
+        <source>several regions are called so: %1; give one of these ids</source>
+        <translation>plusieurs régions portent ce nom&#xa0;: %1&#xa0;; indiquez l&apos;un de ces identifiants</translation>
+    </message>
+    <message>
+        <source>no region has this id, name or ref</source>
+        <translation>aucune région n&apos;a cet identifiant, ce nom ou cette référence</translation>
+    </message>
+    <message>
+        <source>no region has this id, name or ref; near spellings: %1</source>
+        <translation>aucune région n&apos;a cet identifiant, ce nom ou cette référence&#xa0;; proches&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>%1 (level %2)</source>
+        <translation>%1 (niveau %2)</translation>
+    </message>
+    <message>
+        <source>the map has no region &quot;%1&quot;</source>
+        <translation>la carte n&apos;a pas de région «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>the position is no number</source>
+        <translation>la position n&apos;est pas un nombre</translation>
+    </message>
+    <message>
+        <source>is out of its range</source>
+        <translation>est hors de ses limites</translation>
+    </message>
+    <message>
+        <source>has an outline that is none</source>
+        <translation>a un contour qui n&apos;en est pas un</translation>
+    </message>
+    <message>
+        <source>has no position</source>
+        <translation>n&apos;a pas de position</translation>
+    </message>
+    <message>
+        <source>a wall has no length</source>
+        <translation>un mur n&apos;a pas de longueur</translation>
+    </message>
+    <message>
+        <source>the map cannot be written there</source>
+        <translation>la carte ne peut pas y être écrite</translation>
+    </message>
+    <message>
+        <source>cannot be copied before saving</source>
+        <translation>ne peut pas être copié avant l&apos;enregistrement</translation>
+    </message>
+    <message>
+        <source>writing the map failed: %1</source>
+        <translation>l&apos;écriture de la carte a échoué&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>the map may not be changed now: someone else is changing it, or the user has no right to; nothing was written, save again in a moment</source>
+        <translation>la carte ne peut pas être modifiée maintenant&#xa0;: quelqu&apos;un d&apos;autre la modifie, ou l&apos;utilisateur n&apos;en a pas le droit&#xa0;; rien n&apos;a été écrit, enregistrez de nouveau dans un instant</translation>
+    </message>
+    <message>
+        <source>the database has no PostGIS: ask its administrator to add that extension</source>
+        <translation>la base de données n&apos;a pas PostGIS&#xa0;: demandez à son administrateur d&apos;ajouter cette extension</translation>
+    </message>
+    <message>
+        <source>this is no picture that can be read; use PNG, JPEG or GeoTIFF</source>
+        <translation>ce n&apos;est pas une image lisible&#xa0;; utilisez PNG, JPEG ou GeoTIFF</translation>
+    </message>
+    <message>
+        <source>the picture is damaged: save it anew</source>
+        <translation>l&apos;image est endommagée&#xa0;: enregistrez-la de nouveau</translation>
+    </message>
 </context>
 <context>
     <name>farol::Options</name>

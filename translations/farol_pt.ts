@@ -1150,6 +1150,82 @@
         <source>no kind, treated as other: %1</source>
         <translation>sem tipo, tratado como outro: %1</translation>
     </message>
+    <message>
+        <source>a place is empty: give a region&apos;s id, name or ref, or x,y,level</source>
+        <translation>o lugar está vazio: indique o identificador, o nome ou a referência de um espaço, ou x,y,piso</translation>
+    </message>
+    <message>
+        <source>no region of level %1 holds this point</source>
+        <translation>nenhum espaço do piso %1 contém este ponto</translation>
+    </message>
+    <message>
+        <source>several regions are called so: %1; give one of these ids</source>
+        <translation>há vários espaços com este nome: %1; indique um destes identificadores</translation>
+    </message>
+    <message>
+        <source>no region has this id, name or ref</source>
+        <translation>nenhum espaço tem este identificador, nome ou referência</translation>
+    </message>
+    <message>
+        <source>no region has this id, name or ref; near spellings: %1</source>
+        <translation>nenhum espaço tem este identificador, nome ou referência; parecidos: %1</translation>
+    </message>
+    <message>
+        <source>%1 (level %2)</source>
+        <translation>%1 (piso %2)</translation>
+    </message>
+    <message>
+        <source>the map has no region &quot;%1&quot;</source>
+        <translation>o mapa não tem o espaço “%1”</translation>
+    </message>
+    <message>
+        <source>the position is no number</source>
+        <translation>a posição não é um número</translation>
+    </message>
+    <message>
+        <source>is out of its range</source>
+        <translation>está fora dos limites</translation>
+    </message>
+    <message>
+        <source>has an outline that is none</source>
+        <translation>tem um contorno que não o é</translation>
+    </message>
+    <message>
+        <source>has no position</source>
+        <translation>não tem posição</translation>
+    </message>
+    <message>
+        <source>a wall has no length</source>
+        <translation>uma parede não tem comprimento</translation>
+    </message>
+    <message>
+        <source>the map cannot be written there</source>
+        <translation>não se consegue escrever lá o mapa</translation>
+    </message>
+    <message>
+        <source>cannot be copied before saving</source>
+        <translation>não se consegue copiar antes de guardar</translation>
+    </message>
+    <message>
+        <source>writing the map failed: %1</source>
+        <translation>não se conseguiu escrever o mapa: %1</translation>
+    </message>
+    <message>
+        <source>the map may not be changed now: someone else is changing it, or the user has no right to; nothing was written, save again in a moment</source>
+        <translation>o mapa não pode ser mudado agora: outra pessoa está a mudá-lo, ou o utilizador não tem esse direito; nada foi escrito, guarde de novo daqui a pouco</translation>
+    </message>
+    <message>
+        <source>the database has no PostGIS: ask its administrator to add that extension</source>
+        <translation>a base de dados não tem o PostGIS: peça ao administrador que acrescente essa extensão</translation>
+    </message>
+    <message>
+        <source>this is no picture that can be read; use PNG, JPEG or GeoTIFF</source>
+        <translation>isto não é uma imagem que se consiga ler; use PNG, JPEG ou GeoTIFF</translation>
+    </message>
+    <message>
+        <source>the picture is damaged: save it anew</source>
+        <translation>a imagem está danificada: guarde-a de novo</translation>
+    </message>
 </context>
 <context>
     <name>farol::Options</name>

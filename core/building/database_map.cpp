@@ -68,20 +68,14 @@ Result<void> takeTurn(GDALDataset& dataset, const std::string& context) {
                  run(dataset, std::string("LOCK TABLE ") + table + " IN SHARE ROW EXCLUSIVE MODE", messages));
     }
     if (taken) return {};
-    return messages.error(
-        ErrorCode::Conflict,
-        "the map may not be changed now: someone else is changing it, or the user has no right to; "
-        "nothing was written, save again in a moment",
-        context);
+    return messages.error(ErrorCode::Conflict, english(Sentence::SaveNotAllowed), context);
 }
 
 Result<void> checkCanHoldMaps(GDALDataset& dataset, const std::string& context) {
     GdalMessages messages;
     auto found = ask(dataset, "SELECT count(*)::text FROM pg_extension WHERE extname = 'postgis'", messages);
     if (found == "1") return {};
-    return messages.error(ErrorCode::Unavailable,
-                          "the database has no PostGIS: ask its administrator to add that extension",
-                          context);
+    return messages.error(ErrorCode::Unavailable, english(Sentence::DatabaseNoPostGis), context);
 }
 
 Result<void> checkUnchanged(GDALDataset& dataset, const std::string& known, const std::string& context) {

@@ -183,15 +183,17 @@ Result<void> checkWritable(const BuildingData& data, const std::string& context)
             return wrong("regions", region.id.value, english(Sentence::NoOutline));
         bool sound = finite(region.polygon.outer);
         for (const Ring& hole : region.polygon.holes) sound = sound && hole.size() >= 3 && finite(hole);
-        if (!sound) return wrong("regions", region.id.value, "has an outline that is none");
+        if (!sound) return wrong("regions", region.id.value, english(Sentence::SaveOutlineNone));
     }
     for (const Access& access : data.accesses)
         if (access.line.empty() || !finite(access.line))
-            return wrong("accesses", access.id.value, "has no position");
+            return wrong("accesses", access.id.value, english(Sentence::SaveNoPosition));
     for (const Landmark& landmark : data.landmarks)
-        if (!isFinite(landmark.position)) return wrong("landmarks", landmark.id.value, "has no position");
+        if (!isFinite(landmark.position))
+            return wrong("landmarks", landmark.id.value, english(Sentence::SaveNoPosition));
     for (const Wall& wall : data.walls)
-        if (wall.line.size() < 2 || !finite(wall.line)) return wrong("walls", "", "a wall has no length");
+        if (wall.line.size() < 2 || !finite(wall.line))
+            return wrong("walls", "", english(Sentence::SaveWallNoLength));
     return {};
 }
 
@@ -268,9 +270,9 @@ Result<void> copyOrigin(const std::string& origin, const std::filesystem::path& 
     std::filesystem::copy_file(origin, temporary, failure);
     if (!failure) return {};
     if (std::ifstream(origin, std::ios::binary).good()) // the other end is at fault
-        return systemError(failure.value(), "the map cannot be written there",
+        return systemError(failure.value(), english(Sentence::SaveNotThere),
                            temporary.parent_path().string());
-    return systemError(failure.value(), "cannot be copied before saving", origin);
+    return systemError(failure.value(), english(Sentence::SaveNotCopied), origin);
 }
 
 } // namespace
@@ -288,7 +290,7 @@ Result<void> saveBuilding(const Building& building, const std::string& path, con
             return fill(temporary, building.data(), path);
         });
     } catch (const std::exception& failure) {
-        return Error{ErrorCode::Internal, std::string("writing the map failed: ") + failure.what(), path};
+        return Error{ErrorCode::Internal, english(Sentence::SaveFailed, failure.what()), path};
     }
 }
 

@@ -3,6 +3,7 @@
 #include "core/base/ogr.h"
 #include "core/base/text.h"
 #include "core/building/checks.h"
+#include "core/building/sentence.h"
 
 #include <ogr_spatialref.h>
 
@@ -66,9 +67,7 @@ Result<Location> locationAt(const Building& building, const std::string& where, 
         nearest = gap;
         if (gap > 0.0) found = i;
     }
-    if (!found)
-        return Error{ErrorCode::NotFound, "no region of level " + formatNumber(level) + " holds this point",
-                     where};
+    if (!found) return Error{ErrorCode::NotFound, english(Sentence::WhereInNoRegion, level), where};
     return Location{building.regions()[*found].id, point};
 }
 
@@ -141,9 +140,7 @@ BuildingInfo describe(const Building& building) {
 Result<Location> resolveWhere(const Building& building, const std::string& where) {
     if (const Region* exact = building.region(RegionId(where))) return Location{exact->id, std::nullopt};
     std::string folded = foldedForMatching(where);
-    if (folded.empty())
-        return Error{ErrorCode::InvalidArgument,
-                     "a place is empty: give a region's id, name or ref, or x,y,level", ""};
+    if (folded.empty()) return Error{ErrorCode::InvalidArgument, english(Sentence::WhereEmpty), ""};
     std::vector<const Region*> matches;
     for (const Region& region : building.regions())
         if (foldedForMatching(region.name) == folded || foldedForMatching(region.ref) == folded)
@@ -155,17 +152,15 @@ Result<Location> resolveWhere(const Building& building, const std::string& where
     if (matches.size() > 1) {
         std::vector<std::string> names;
         for (const Region* region : matches)
-            names.push_back(region->id.value + " (level " + formatNumber(region->level) + ")");
-        return Error{ErrorCode::Conflict,
-                     "several regions are called so: " + listed(names) + "; give one of these ids", where};
+            names.push_back(english(Sentence::RegionOnLevel, region->id.value, region->level));
+        return Error{ErrorCode::Conflict, english(Sentence::WhereShared, listed(names)), where};
     }
     if (auto numbers = threeNumbers(where))
         return locationAt(building, where, {(*numbers)[0], (*numbers)[1]}, (*numbers)[2]);
     std::vector<std::string> near = nearSpellings(building, folded);
-    return Error{ErrorCode::NotFound,
-                 near.empty() ? "no region has this id, name or ref"
-                              : "no region has this id, name or ref; near spellings: " + listed(near),
-                 where};
+    return Error{
+        ErrorCode::NotFound,
+        near.empty() ? english(Sentence::WhereUnknown) : english(Sentence::WhereNearly, listed(near)), where};
 }
 
 } // namespace farol::building

@@ -91,8 +91,7 @@ Result<PlanPicture> loadPlanPicture(const std::string& path, const std::string& 
     const DatasetPtr dataset(static_cast<GDALDataset*>(
         GDALOpenEx(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, nullptr, nullptr, nullptr)));
     if (!dataset || dataset->GetRasterCount() == 0 || dataset->GetRasterXSize() < 1)
-        return Error{ErrorCode::UnsupportedFormat,
-                     "this is no picture that can be read; use PNG, JPEG or GeoTIFF", path};
+        return Error{ErrorCode::UnsupportedFormat, english(Sentence::PlanNoPicture), path};
     const int longest = std::max(dataset->GetRasterXSize(), dataset->GetRasterYSize());
     const double smaller = std::min(1.0, static_cast<double>(mostPixels) / longest);
     PlanPicture picture;
@@ -102,7 +101,7 @@ Result<PlanPicture> loadPlanPicture(const std::string& path, const std::string& 
         static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height) * 4, 255);
     for (int channel = 0; channel < 4; ++channel)
         if (!readChannel(*dataset, channel, picture))
-            return messages.error(ErrorCode::Corrupt, "the picture is damaged: save it anew", path);
+            return messages.error(ErrorCode::Corrupt, english(Sentence::PlanDamaged), path);
     picture.toMap = placeOf(*dataset, crs);
     if (picture.toMap) { // in pixels of what was read
         const double across = static_cast<double>(dataset->GetRasterXSize()) / picture.width;

@@ -3,6 +3,8 @@
 // English text is made of it here; the workstation makes the same sentence in the user's language
 // (ui/models/core_words).
 
+#include "core/base/saying.h"
+
 #include <cstddef>
 #include <memory>
 #include <optional>
@@ -289,6 +291,27 @@ enum class Sentence {
     AccessesNotWalked,
     KindAsOther,
     NoKindAsOther,
+    // A place that is named, and a way to it.
+    WhereEmpty,
+    WhereInNoRegion,
+    WhereShared,
+    WhereUnknown,
+    WhereNearly,
+    RegionOnLevel,
+    WayRegionMissing,
+    WayNoPlace,
+    WayOptionRange,
+    // A map that cannot be written.
+    SaveOutlineNone,
+    SaveNoPosition,
+    SaveWallNoLength,
+    SaveNotThere,
+    SaveNotCopied,
+    SaveFailed,
+    SaveNotAllowed,
+    DatabaseNoPostGis,
+    PlanNoPicture,
+    PlanDamaged,
 };
 
 /// One row of the table of all that is said. Places are %1, %2, ...; where the text has %n, a count stands
@@ -367,7 +390,6 @@ std::string english(Sentence sentence, Places&&... places) {
     return said(sentence, std::forward<Places>(places)...).english();
 }
 
-/// Each %1, %2, ... of the text replaced once; what is put in is not looked at again.
-std::string withPlaces(const std::string& text, const std::vector<std::string>& places);
+using farol::withPlaces;
 
 } // namespace farol::building

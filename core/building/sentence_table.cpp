@@ -6,8 +6,7 @@
 
 #include <cstddef>
 
-// Names that lupdate is told of (cmake/FarolTranslations.cmake): a sentence, and one that has plural forms.
-#define SAID(context, english) english
+// Beside SAID, a name that lupdate is told of: a sentence that has plural forms.
 #define SAID_OF_MANY(context, english) english
 
 namespace farol::building {
@@ -453,6 +452,31 @@ constexpr SentenceText kSentences[]{
     {Sentence::AccessesNotWalked, SAID("core", "%1 do not join two regions and are not walked through: %2")},
     {Sentence::KindAsOther, SAID("core", "unknown kind \"%1\", treated as other: %2")},
     {Sentence::NoKindAsOther, SAID("core", "no kind, treated as other: %1")},
+    // A place that is named, and a way to it.
+    {Sentence::WhereEmpty, SAID("core", "a place is empty: give a region's id, name or ref, or x,y,level")},
+    {Sentence::WhereInNoRegion, SAID("core", "no region of level %1 holds this point")},
+    {Sentence::WhereShared, SAID("core", "several regions are called so: %1; give one of these ids")},
+    {Sentence::WhereUnknown, SAID("core", "no region has this id, name or ref")},
+    {Sentence::WhereNearly, SAID("core", "no region has this id, name or ref; near spellings: %1")},
+    {Sentence::RegionOnLevel, SAID("core", "%1 (level %2)")},
+    {Sentence::WayRegionMissing, SAID("core", "the map has no region \"%1\"")},
+    {Sentence::WayNoPlace, SAID("core", "the position is no number")},
+    {Sentence::WayOptionRange, SAID("core", "is out of its range")},
+    // A map that cannot be written.
+    {Sentence::SaveOutlineNone, SAID("core", "has an outline that is none")},
+    {Sentence::SaveNoPosition, SAID("core", "has no position")},
+    {Sentence::SaveWallNoLength, SAID("core", "a wall has no length")},
+    {Sentence::SaveNotThere, SAID("core", "the map cannot be written there")},
+    {Sentence::SaveNotCopied, SAID("core", "cannot be copied before saving")},
+    {Sentence::SaveFailed, SAID("core", "writing the map failed: %1")},
+    {Sentence::SaveNotAllowed,
+     SAID("core", "the map may not be changed now: someone else is changing it, or the user has no right to; "
+                  "nothing was written, save again in a moment")},
+    {Sentence::DatabaseNoPostGis,
+     SAID("core", "the database has no PostGIS: ask its administrator to add that extension")},
+    // A picture of a floor.
+    {Sentence::PlanNoPicture, SAID("core", "this is no picture that can be read; use PNG, JPEG or GeoTIFF")},
+    {Sentence::PlanDamaged, SAID("core", "the picture is damaged: save it anew")},
 };
 
 constexpr bool inOrder() {

@@ -1,5 +1,7 @@
 #include "core/routing/route.h"
 
+#include "core/building/sentence.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -28,7 +30,7 @@ Result<void> RouteOptions::check() const {
                              {"narrowDoorM", narrowDoorM, 0.0}};
     for (const Entry& entry : entries)
         if (!(entry.value >= entry.low) || entry.value > 1e6)
-            return Error{ErrorCode::InvalidArgument, "is out of its range",
+            return Error{ErrorCode::InvalidArgument, building::english(building::Sentence::WayOptionRange),
                          std::string("route option ") + entry.name};
     return {};
 }

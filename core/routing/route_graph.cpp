@@ -1,5 +1,7 @@
 #include "core/routing/route_graph.h"
 
+#include "core/building/sentence.h"
+
 #include <cmath>
 #include <utility>
 
@@ -19,10 +21,12 @@ RouteGraph::~RouteGraph() = default;
 Result<Endpoint> RouteGraph::endpoint(const Location& location, const std::string& role) const {
     auto index = building().regionIndex(location.region);
     if (!index)
-        return Error{ErrorCode::NotFound, "the map has no region \"" + location.region.value + "\"", role};
+        return Error{ErrorCode::NotFound,
+                     building::english(building::Sentence::WayRegionMissing, location.region.value), role};
     const Polygon& polygon = building().regions()[*index].polygon;
     Point2 position = location.position.value_or(pointInside(polygon));
-    if (!isFinite(position)) return Error{ErrorCode::InvalidArgument, "the position is no number", role};
+    if (!isFinite(position))
+        return Error{ErrorCode::InvalidArgument, building::english(building::Sentence::WayNoPlace), role};
     if (!location.position || contains(polygon, position)) return Endpoint{*index, position};
     return Endpoint{*index, space(*index).entryOf(position)};
 }

@@ -3,6 +3,7 @@
 #include "core/building/checks.h"
 #include "core/building/geopackage.h"
 #include "core/building/import/importer.h"
+#include "core/building/info.h"
 #include "tests/ui/hand_made.h"
 #include "ui/convert/convert.h"
 #include "ui/curation/map_page.h"
@@ -43,6 +44,7 @@ private Q_SLOTS:
     void anImportIsReadWhollyInPortuguese();
     void whyAMapDoesNotOpenIsReadInPortuguese();
     void problemsKeepTheirPlaces();
+    void aPlaceThatIsNotFoundIsToldInPortuguese();
 
 private:
     static void addLanguages();
@@ -274,7 +276,8 @@ void CoreWordsTest::problemsKeepTheirPlaces() {
     const QString tried = CoreWords::problem(
         {ErrorCode::UnsupportedFormat,
          building::english(Sentence::UnknownKindOfMap, "a, b and 3 more", "osm, imdf"), ""});
-    QVERIFY2(tried.contains(QStringLiteral("experimentou-se a, b e mais 3 como osm, imdf")), qPrintable(tried));
+    QVERIFY2(tried.contains(QStringLiteral("experimentou-se a, b e mais 3 como osm, imdf")),
+             qPrintable(tried));
     QCOMPARE(CoreWords::remark(
                  "C: house.gpkg, layer accesses: 2 do not join two regions and are not walked through: a, b"),
              QStringLiteral(
@@ -283,6 +286,31 @@ void CoreWordsTest::problemsKeepTheirPlaces() {
     QVERIFY(installTranslation(QStringLiteral("en")));
     QCOMPARE(CoreWords::problem({ErrorCode::Corrupt, "has no outline", "a.gpkg"}),
              QStringLiteral("a.gpkg: has no outline."));
+}
+
+void CoreWordsTest::aPlaceThatIsNotFoundIsToldInPortuguese() {
+    QVERIFY(installTranslation(QStringLiteral("pt")));
+    building::BuildingData data = test::handMadeBuilding()->data();
+    data.regions[0].name = data.regions[1].name = "Office";
+    const building::Building map(data);
+    const auto told = [&map](const char* where) {
+        const auto found = building::resolveWhere(map, where);
+        return found ? QString() : CoreWords::problem(found.error());
+    };
+    QCOMPARE(
+        told(" "),
+        QStringLiteral("O lugar está vazio: indique o identificador, o nome ou a referência de um espaço, "
+                       "ou x,y,piso."));
+    QCOMPARE(told("zzzzzzzzzz"),
+             QStringLiteral("zzzzzzzzzz: nenhum espaço tem este identificador, nome ou referência."));
+    const QString shared = told("Office");
+    QVERIFY2(shared.startsWith(QStringLiteral("Office: há vários espaços com este nome: ")),
+             qPrintable(shared));
+    QVERIFY2(shared.contains(QLatin1String(" (piso ")) && !shared.contains(QLatin1String("level")),
+             qPrintable(shared));
+    const QString near = told("Offic");
+    QVERIFY2(near.contains(QLatin1String("; parecidos: Office")), qPrintable(near));
+    QCOMPARE(told("9999,1,0"), QStringLiteral("9999,1,0: nenhum espaço do piso 0 contém este ponto."));
 }
 
 } // namespace farol::ui

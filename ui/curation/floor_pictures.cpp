@@ -4,6 +4,7 @@
 #include "core/building/plan_picture.h"
 #include "ui/convert/convert.h"
 #include "ui/curation/plan_panel.h"
+#include "ui/models/core_words.h"
 #include "ui/parts/naming.h"
 
 #include <QDir>
@@ -118,7 +119,7 @@ void FloorPictures::read(const Wish& wish, bool kept) {
                      [this, wish, kept, map = m_map](Result<building::PlanPicture> result) {
                          --m_busy;
                          if (map != m_map) return;
-                         if (!result) return void(Q_EMIT failed(toQString(result.error().text())));
+                         if (!result) return void(Q_EMIT failed(CoreWords::problem(result.error())));
                          FloorPicture picture{toImage(*result), {}, wish.opacity, wish.level, wish.file};
                          const auto& own = result->toMap;
                          if (wish.toMap)

@@ -9,6 +9,7 @@
 #include "ui/curation/plan_panel.h"
 #include "ui/curation/report_panel.h"
 #include "ui/curation/route_panel.h"
+#include "ui/models/core_words.h"
 #include "ui/parts/banner.h"
 #include "ui/parts/place_chooser.h"
 
@@ -370,7 +371,7 @@ bool MapPage::settled() const {
 void MapPage::showRoute(const QString& from, const QString& to) {
     const auto region = [this](const QString& where) -> std::optional<RegionId> {
         const auto found = building::resolveWhere(*m_document.building(), toUtf8(where));
-        if (!found) showFailure(toQString(found.error().text()));
+        if (!found) showFailure(CoreWords::problem(found.error()));
         return found ? std::optional<RegionId>(found->region) : std::nullopt;
     };
     if (!m_document.building()) return;

@@ -2,6 +2,7 @@
 
 #include "core/routing/route_rules.h"
 #include "ui/convert/convert.h"
+#include "ui/models/core_words.h"
 #include "ui/models/no_route_words.h"
 #include "ui/parts/place_chooser.h"
 #include "ui/parts/tables.h"
@@ -159,7 +160,7 @@ void RoutePanel::plan() {
 void RoutePanel::planned(const std::shared_ptr<const building::Building>& building, Answer answer) {
     m_planning = false;
     Result<routing::Route>& route = answer.route;
-    if (!route) m_reason = toQString(route.error().text());
+    if (!route) m_reason = CoreWords::problem(route.error());
     m_noRoute = std::move(answer.why);
     m_model.setRoute(building, route ? std::make_shared<const routing::Route>(std::move(*route)) : nullptr);
     summarise();

@@ -232,7 +232,7 @@ void Kiosk::mapCame() {
         if (where.isEmpty()) return std::nullopt;
         const auto found = building::resolveWhere(*building, toUtf8(where));
         if (found) return found->region;
-        setDetail(toQString(found.error().text()));
+        setDetail(CoreWords::problem(found.error()));
         return std::nullopt;
     };
     m_mapWatch.follow(m_walk.mapName(), FileStamp::of(m_walk.mapName()), building);

@@ -13,6 +13,7 @@
 #include "ui/main_window/settings_dialog.h"
 #include "ui/main_window/source_dialog.h"
 #include "ui/main_window/window_actions.h"
+#include "ui/models/core_words.h"
 #include "ui/parts/banner.h"
 #include "ui/parts/place_chooser.h"
 #include "ui/training/training_actions.h"
@@ -282,7 +283,7 @@ void MainWindow::resolvePlaces() {
         if (found)
             use(found->region);
         else
-            showProblem(Problem::Session, toQString(found.error().text()));
+            showProblem(Problem::Session, CoreWords::problem(found.error()));
     };
     look(m_from, [this](const RegionId& region) { m_walk.setStart(region); });
     look(m_to, [this](const RegionId& region) { m_walk.setDestination(region); });

@@ -65,7 +65,7 @@ struct Pattern {
 /// Frames of names, not sentences.
 constexpr std::array kFrames{Sentence::Nothing,         Sentence::InContext, Sentence::LayerOfFile,
                              Sentence::FeatureNumberOf, Sentence::FeatureOf, Sentence::LineOf,
-                             Sentence::LevelOf,         Sentence::MoreOf};
+                             Sentence::LevelOf,         Sentence::MoreOf,    Sentence::RegionOnLevel};
 
 QRegularExpression filledIn(const char* english) {
     static const QRegularExpression place(QStringLiteral("%[1-9]"));
@@ -95,6 +95,13 @@ Argument listed(const QString& english) {
     return building::said(Sentence::MoreOf, toUtf8(found.captured(1)), static_cast<double>(count));
 }
 
+/// "house.gpkg, layer rooms", between whatever else stands there.
+QString translatedPlace(QString text, Sentence where) {
+    static const QRegularExpression places(QStringLiteral("%[12]"));
+    return text.replace(toQString(building::textOf(where).text).split(places).at(1),
+                        translated(where).split(places).value(1));
+}
+
 /// Nothing when the table does not hold it.
 std::optional<QString> known(const QString& english) {
     static const std::vector<Pattern> all = patterns();
@@ -102,17 +109,13 @@ std::optional<QString> known(const QString& english) {
         const QRegularExpressionMatch found = pattern.filled.match(english);
         if (!found.hasMatch()) continue;
         std::vector<Argument> places;
-        for (int i = 1; i <= found.lastCapturedIndex(); ++i) places.push_back(listed(found.captured(i)));
+        for (int i = 1; i <= found.lastCapturedIndex(); ++i)
+            places.push_back(listed(pattern.sentence == Sentence::WhereShared
+                                        ? translatedPlace(found.captured(i), Sentence::RegionOnLevel)
+                                        : found.captured(i)));
         return CoreWords::phrase({pattern.sentence, std::nullopt, std::move(places)});
     }
     return std::nullopt;
-}
-
-/// "house.gpkg, layer rooms", between whatever else stands there.
-QString translatedPlace(QString text, Sentence where) {
-    static const QRegularExpression places(QStringLiteral("%[12]"));
-    return text.replace(toQString(building::textOf(where).text).split(places).at(1),
-                        translated(where).split(places).value(1));
 }
 
 QString stopped(QString text) {

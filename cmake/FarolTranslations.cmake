@@ -1,5 +1,5 @@
 # Translations. A build only ever reads translations/*.ts (lrelease); `cmake --build --preset release --target
-# update_translations` is the one thing that writes them (lupdate over ui/, app/ and the table of what core says), so that
+# update_translations` is the one thing that writes them (lupdate over ui/, app/ and the tables of what core says), so that
 # no build can overwrite a translator's work.
 include_guard()
 
@@ -33,7 +33,8 @@ list(TRANSFORM FAROL_FULL_LANGUAGES REPLACE "(.+)" "translations/farol_\\1.ts" O
 # Core knows no Qt, so its sentences stand within names of its own. check_collected.py collects in the same way.
 set(FAROL_COLLECT -silent -recursive -I ${PROJECT_SOURCE_DIR} -locations none -no-obsolete
                   -tr-function-alias QT_TRANSLATE_NOOP+=SAID,QT_TRANSLATE_N_NOOP+=SAID_OF_MANY)
-set(FAROL_WITH_TEXTS ui app core/building/sentence_table.cpp)
+set(FAROL_WITH_TEXTS ui app core/base/base_sayings.cpp core/building/sentence_table.cpp core/capture/sayings.cpp
+                     core/recognition/sayings.cpp)
 add_custom_target(update_translations
   COMMAND Qt6::lupdate ${FAROL_COLLECT} -pluralonly ${FAROL_WITH_TEXTS} -ts translations/farol_en.ts
   COMMAND Qt6::lupdate ${FAROL_COLLECT} ${FAROL_WITH_TEXTS} -ts ${FAROL_FULL_TS}

@@ -1226,6 +1226,410 @@
         <source>the picture is damaged: save it anew</source>
         <translation>das Bild ist beschädigt: speichern Sie es neu</translation>
     </message>
+    <message>
+        <source>Permission denied</source>
+        <translation>keine Berechtigung</translation>
+    </message>
+    <message>
+        <source>No such file or directory</source>
+        <translation>Datei oder Ordner gibt es nicht</translation>
+    </message>
+    <message>
+        <source>Read-only file system</source>
+        <translation>das Dateisystem ist schreibgeschützt</translation>
+    </message>
+    <message>
+        <source>No space left on device</source>
+        <translation>auf der Platte ist kein Platz mehr</translation>
+    </message>
+    <message>
+        <source>Input/output error</source>
+        <translation>Fehler beim Lesen oder Schreiben</translation>
+    </message>
+    <message>
+        <source>Is a directory</source>
+        <translation>es ist ein Ordner</translation>
+    </message>
+    <message>
+        <source>Not a directory</source>
+        <translation>es ist kein Ordner</translation>
+    </message>
+    <message>
+        <source>File name too long</source>
+        <translation>der Dateiname ist zu lang</translation>
+    </message>
+    <message>
+        <source>Operation not permitted</source>
+        <translation>das ist nicht erlaubt</translation>
+    </message>
+    <message>
+        <source>Too many open files</source>
+        <translation>zu viele Dateien sind offen</translation>
+    </message>
+    <message>
+        <source>cannot be read as a picture</source>
+        <translation>lässt sich nicht als Bild lesen</translation>
+    </message>
+    <message>
+        <source>no source was named: give camera:0, a video file, a folder of pictures or an address</source>
+        <translation>es wurde keine Quelle genannt: geben Sie camera:0, eine Videodatei, einen Ordner mit Bildern oder eine Adresse an</translation>
+    </message>
+    <message>
+        <source>there is no such file or folder (a source is camera:0, a video file, a folder of pictures, or an http or rtsp address)</source>
+        <translation>diese Datei oder diesen Ordner gibt es nicht (eine Quelle ist camera:0, eine Videodatei, ein Ordner mit Bildern oder eine Adresse mit http oder rtsp)</translation>
+    </message>
+    <message>
+        <source>the folder cannot be read</source>
+        <translation>der Ordner lässt sich nicht lesen</translation>
+    </message>
+    <message>
+        <source>there are no pictures in this folder (jpg, png, bmp, webp or tif)</source>
+        <translation>in diesem Ordner sind keine Bilder (jpg, png, bmp, webp oder tif)</translation>
+    </message>
+    <message>
+        <source>is neither a picture nor a video that can be opened (tried FFmpeg and GStreamer)</source>
+        <translation>ist weder ein Bild noch ein Video, das sich öffnen lässt (versucht mit FFmpeg und GStreamer)</translation>
+    </message>
+    <message>
+        <source>the address does not answer with a video within %1 s (tried FFmpeg): is the camera on, and the address right?</source>
+        <translation>die Adresse antwortet nicht binnen %1 s mit einem Video (versucht mit FFmpeg): ist die Kamera an, und stimmt die Adresse?</translation>
+    </message>
+    <message>
+        <source>a camera is named by its number or its device, such as camera:0</source>
+        <translation>eine Kamera nennt man mit ihrer Nummer oder ihrem Gerät, wie camera:0</translation>
+    </message>
+    <message>
+        <source>the camera cannot be opened (tried Video4Linux at %1): is it plugged in, and not in use by another program?</source>
+        <translation>die Kamera lässt sich nicht öffnen (versucht mit Video4Linux an %1): ist sie angeschlossen, und benutzt sie kein anderes Programm?</translation>
+    </message>
+    <message>
+        <source>%1 delivers no more pictures</source>
+        <translation>%1 liefert keine Bilder mehr</translation>
+    </message>
+    <message>
+        <source>%1 gives no more pictures</source>
+        <translation>%1 gibt keine Bilder mehr</translation>
+    </message>
+    <message>
+        <source>%1 is tried again (attempt %2)</source>
+        <translation>%1 wird noch einmal versucht (Versuch %2)</translation>
+    </message>
+    <message>
+        <source>%1 is back</source>
+        <translation>%1 ist wieder da</translation>
+    </message>
+    <message>
+        <source>%1 broke down: %2</source>
+        <translation>%1 ist ausgefallen: %2</translation>
+    </message>
+    <message>
+        <source>the library&apos;s version is not a number: &quot;%1&quot;</source>
+        <translation>die Version der Bibliothek ist keine Zahl: „%1“</translation>
+    </message>
+    <message>
+        <source>the landmark library is of a later version (%1) than this program knows (%2); update Farol</source>
+        <translation>die Landmarkenbibliothek hat eine spätere Version (%1), als dieses Programm kennt (%2); bringen Sie Farol auf den neuesten Stand</translation>
+    </message>
+    <message>
+        <source>holds no landmark library (no layers templates and views)</source>
+        <translation>enthält keine Landmarkenbibliothek (keine Layer templates und views)</translation>
+    </message>
+    <message>
+        <source>the landmark library cannot be read</source>
+        <translation>die Landmarkenbibliothek lässt sich nicht lesen</translation>
+    </message>
+    <message>
+        <source>cannot save the library: %1</source>
+        <translation>die Bibliothek lässt sich nicht speichern: %1</translation>
+    </message>
+    <message>
+        <source>is not a GeoPackage, and a library is kept in one (*.gpkg)</source>
+        <translation>ist kein GeoPackage, und eine Bibliothek liegt in einem solchen (*.gpkg)</translation>
+    </message>
+    <message>
+        <source>a template has no name</source>
+        <translation>eine Landmarke hat keinen Namen</translation>
+    </message>
+    <message>
+        <source>template %1 stands twice</source>
+        <translation>die Landmarke %1 steht zweimal da</translation>
+    </message>
+    <message>
+        <source>a view belongs to a template that is not in the library</source>
+        <translation>ein Foto gehört zu einer Landmarke, die nicht in der Bibliothek ist</translation>
+    </message>
+    <message>
+        <source>the photograph or its outline is missing</source>
+        <translation>das Foto oder sein Umriss fehlt</translation>
+    </message>
+    <message>
+        <source>the extractor&apos;s parameters cannot be read: &quot;%1&quot;</source>
+        <translation>die Einstellungen des Merkmalverfahrens lassen sich nicht lesen: „%1“</translation>
+    </message>
+    <message>
+        <source>the library was trained with %1, but %2; train it again from its photographs</source>
+        <translation>die Bibliothek wurde mit %1 angelernt, aber: %2; lernen Sie sie aus ihren Fotos neu an</translation>
+    </message>
+    <message>
+        <source>the library was trained with %1, but %2 is in use; train it again from its photographs, or choose its own extractor</source>
+        <translation>die Bibliothek wurde mit %1 angelernt, benutzt wird aber %2; lernen Sie sie aus ihren Fotos neu an, oder wählen Sie ihr eigenes Merkmalverfahren</translation>
+    </message>
+    <message>
+        <source>there is no feature extractor &quot;%1&quot;; there are %2</source>
+        <translation>es gibt kein Merkmalverfahren „%1“; es gibt %2</translation>
+    </message>
+    <message>
+        <source>version %1 of %2 is not known, only %3</source>
+        <translation>die Version %1 von %2 ist nicht bekannt, nur %3</translation>
+    </message>
+    <message>
+        <source>the working size must be between 64 and 4096 pixels</source>
+        <translation>die Arbeitsgröße muss zwischen 64 und 4096 Pixeln liegen</translation>
+    </message>
+    <message>
+        <source>the number of keypoints must be between 10 and 20000</source>
+        <translation>die Zahl der Merkmalspunkte muss zwischen 10 und 20000 liegen</translation>
+    </message>
+    <message>
+        <source>the contrast threshold must be between 0 and 1</source>
+        <translation>die Kontrastschwelle muss zwischen 0 und 1 liegen</translation>
+    </message>
+    <message>
+        <source>%1; the library is damaged: restore it or train this view again</source>
+        <translation>%1; die Bibliothek ist beschädigt: stellen Sie sie wieder her, oder lernen Sie dieses Foto neu an</translation>
+    </message>
+    <message>
+        <source>the outline &quot;%1&quot; is not eight numbers</source>
+        <translation>der Umriss „%1“ besteht nicht aus acht Zahlen</translation>
+    </message>
+    <message>
+        <source>the descriptors are not of the width that %1 makes</source>
+        <translation>die Deskriptoren haben nicht die Breite, die %1 erzeugt</translation>
+    </message>
+    <message>
+        <source>the photograph&apos;s size is missing</source>
+        <translation>die Größe des Fotos fehlt</translation>
+    </message>
+    <message>
+        <source>the checksum does not fit the photograph and its features</source>
+        <translation>die Prüfsumme passt nicht zum Foto und seinen Merkmalen</translation>
+    </message>
+    <message>
+        <source>the keypoints do not begin as they should</source>
+        <translation>die Merkmalspunkte fangen nicht so an, wie sie sollen</translation>
+    </message>
+    <message>
+        <source>the keypoints have an impossible size</source>
+        <translation>die Merkmalspunkte haben eine unmögliche Größe</translation>
+    </message>
+    <message>
+        <source>the keypoints are cut off or too long</source>
+        <translation>die Merkmalspunkte sind abgeschnitten oder zu lang</translation>
+    </message>
+    <message>
+        <source>the keypoints are of another kind</source>
+        <translation>die Merkmalspunkte sind von anderer Art</translation>
+    </message>
+    <message>
+        <source>a keypoint has an impossible value</source>
+        <translation>ein Merkmalspunkt hat einen unmöglichen Wert</translation>
+    </message>
+    <message>
+        <source>the descriptors do not begin as they should</source>
+        <translation>die Deskriptoren fangen nicht so an, wie sie sollen</translation>
+    </message>
+    <message>
+        <source>the descriptors have an impossible size</source>
+        <translation>die Deskriptoren haben eine unmögliche Größe</translation>
+    </message>
+    <message>
+        <source>the descriptors are cut off or too long</source>
+        <translation>die Deskriptoren sind abgeschnitten oder zu lang</translation>
+    </message>
+    <message>
+        <source>the descriptors are of another kind</source>
+        <translation>die Deskriptoren sind von anderer Art</translation>
+    </message>
+    <message>
+        <source>there are not as many descriptors as keypoints</source>
+        <translation>es gibt nicht so viele Deskriptoren wie Merkmalspunkte</translation>
+    </message>
+    <message>
+        <source>cannot replace the layer</source>
+        <translation>der Layer lässt sich nicht ersetzen</translation>
+    </message>
+    <message>
+        <source>cannot make the layer</source>
+        <translation>der Layer lässt sich nicht anlegen</translation>
+    </message>
+    <message>
+        <source>cannot make the field %1</source>
+        <translation>das Feld %1 lässt sich nicht anlegen</translation>
+    </message>
+    <message>
+        <source>cannot replace the version</source>
+        <translation>die Version lässt sich nicht ersetzen</translation>
+    </message>
+    <message>
+        <source>the layer has no fields key and value: this is not one of Farol&apos;s files</source>
+        <translation>der Layer hat keine Felder key und value: das ist keine Datei von Farol</translation>
+    </message>
+    <message>
+        <source>no view is chosen</source>
+        <translation>es ist kein Foto gewählt</translation>
+    </message>
+    <message>
+        <source>a template needs at least one view; delete it instead</source>
+        <translation>eine Landmarke braucht mindestens ein Foto; löschen Sie sie stattdessen</translation>
+    </message>
+    <message>
+        <source>a template needs a name of its own</source>
+        <translation>eine Landmarke braucht einen eigenen Namen</translation>
+    </message>
+    <message>
+        <source>this name is taken by another template</source>
+        <translation>diesen Namen hat schon eine andere Landmarke</translation>
+    </message>
+    <message>
+        <source>a template needs at least one view</source>
+        <translation>eine Landmarke braucht mindestens ein Foto</translation>
+    </message>
+    <message>
+        <source>a real size must be a positive number of metres</source>
+        <translation>eine wirkliche Größe muss eine positive Zahl von Metern sein</translation>
+    </message>
+    <message>
+        <source>a template cannot be merged with itself</source>
+        <translation>eine Landmarke lässt sich nicht mit sich selbst vereinen</translation>
+    </message>
+    <message>
+        <source>a place and an object cannot be one template; choose two of the same sort</source>
+        <translation>ein Ort und ein Gegenstand können nicht eine Landmarke sein; wählen Sie zwei derselben Art</translation>
+    </message>
+    <message>
+        <source>the outline has a corner that is no number</source>
+        <translation>der Umriss hat eine Ecke, die keine Zahl ist</translation>
+    </message>
+    <message>
+        <source>the outline leaves the picture, which is %1 x %2 pixels</source>
+        <translation>der Umriss ragt aus dem Bild, das %1 x %2 Pixel hat</translation>
+    </message>
+    <message>
+        <source>the outline&apos;s four corners must follow the object&apos;s border clockwise from its top left, without crossing</source>
+        <translation>die vier Ecken des Umrisses müssen dem Rand des Gegenstands im Uhrzeigersinn von links oben an folgen, ohne sich zu kreuzen</translation>
+    </message>
+    <message>
+        <source>the outline&apos;s corners run counter-clockwise; give them clockwise from the object&apos;s top left</source>
+        <translation>die Ecken des Umrisses laufen gegen den Uhrzeigersinn; geben Sie sie im Uhrzeigersinn von links oben am Gegenstand an</translation>
+    </message>
+    <message>
+        <source>the outline is only %1 x %2 pixels; photograph the object from nearer</source>
+        <translation>der Umriss hat nur %1 x %2 Pixel; fotografieren Sie den Gegenstand aus größerer Nähe</translation>
+    </message>
+    <message>
+        <source>a template needs a name</source>
+        <translation>eine Landmarke braucht einen Namen</translation>
+    </message>
+    <message>
+        <source>this template is of kind %1, not %2; use another template name</source>
+        <translation>diese Landmarke ist von der Art %1, nicht %2; nehmen Sie einen anderen Namen</translation>
+    </message>
+    <message>
+        <source>only %1 features were found in the picture; at least %2 are needed: take a sharp, well lit photograph of something with detail, from nearer</source>
+        <translation>nur %1 Merkmale wurden im Bild gefunden; nötig sind mindestens %2: machen Sie aus größerer Nähe ein scharfes, gut beleuchtetes Foto von etwas mit Einzelheiten</translation>
+    </message>
+    <message>
+        <source>only %1 features were found inside the outline; at least %2 are needed: take a sharp, well lit photograph of something with detail, from nearer</source>
+        <translation>nur %1 Merkmale wurden im Umriss gefunden; nötig sind mindestens %2: machen Sie aus größerer Nähe ein scharfes, gut beleuchtetes Foto von etwas mit Einzelheiten</translation>
+    </message>
+    <message>
+        <source>the photograph cannot be read as a picture</source>
+        <translation>das Foto lässt sich nicht als Bild lesen</translation>
+    </message>
+    <message>
+        <source>the photograph cannot be used: %1</source>
+        <translation>das Foto lässt sich nicht verwenden: %1</translation>
+    </message>
+    <message>
+        <source>template %1</source>
+        <translation>Landmarke %1</translation>
+    </message>
+    <message>
+        <source>%1, template %2</source>
+        <translation>%1, Landmarke %2</translation>
+    </message>
+    <message>
+        <source>%1, view %2</source>
+        <translation>%1, Foto %2</translation>
+    </message>
+    <message>
+        <source>%1, a view of template %2</source>
+        <translation>%1, ein Foto der Landmarke %2</translation>
+    </message>
+    <message>
+        <source>%1, row %2</source>
+        <translation>%1, Zeile %2</translation>
+    </message>
+    <message>
+        <source>cannot reopen for writing</source>
+        <translation>lässt sich nicht noch einmal zum Schreiben öffnen</translation>
+    </message>
+    <message>
+        <source>cannot write to disk</source>
+        <translation>lässt sich nicht auf die Platte schreiben</translation>
+    </message>
+    <message>
+        <source>cannot copy before saving</source>
+        <translation>die Kopie vor dem Speichern gelingt nicht</translation>
+    </message>
+    <message>
+        <source>cannot put the new file in place</source>
+        <translation>die neue Datei lässt sich nicht an ihre Stelle setzen</translation>
+    </message>
+    <message>
+        <source>is no ordinary file; name another one</source>
+        <translation>ist keine gewöhnliche Datei; nennen Sie eine andere</translation>
+    </message>
+    <message>
+        <source>cannot open</source>
+        <translation>das Öffnen gelingt nicht</translation>
+    </message>
+    <message>
+        <source>cannot read</source>
+        <translation>das Lesen gelingt nicht</translation>
+    </message>
+    <message>
+        <source>cannot write</source>
+        <translation>das Schreiben gelingt nicht</translation>
+    </message>
+    <message>
+        <source>cannot begin to write</source>
+        <translation>das Schreiben kann nicht beginnen</translation>
+    </message>
+    <message>
+        <source>cannot finish writing</source>
+        <translation>das Schreiben kommt nicht zu Ende</translation>
+    </message>
+    <message>
+        <source>cannot create the file</source>
+        <translation>die Datei lässt sich nicht anlegen</translation>
+    </message>
+    <message>
+        <source>this GDAL has no GeoPackage driver</source>
+        <translation>dieses GDAL hat keinen Treiber für GeoPackage</translation>
+    </message>
+    <message>
+        <source>the connection cannot be understood: write PG: and then key=value pairs such as dbname=campus host=maps user=anna, values with blanks in single quotes</source>
+        <translation>die Verbindung wird nicht verstanden: schreiben Sie PG: und dann Paare aus Schlüssel=Wert wie dbname=campus host=maps user=anna, Werte mit Leerzeichen in einfachen Anführungszeichen</translation>
+    </message>
+    <message>
+        <source>%1; skipped (%2 so far)</source>
+        <translation>%1; übersprungen (bisher %2)</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read as a picture</source>
+        <translation>%1 lässt sich nicht als Bild lesen</translation>
+    </message>
 </context>
 <context>
     <name>farol::Options</name>
@@ -1505,6 +1909,17 @@
     <message>
         <source>Match</source>
         <translation>Übereinstimmung</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::DraftStore</name>
+    <message>
+        <source>what you are teaching cannot be kept on disk (%1); it would be lost with the program</source>
+        <translation>was Sie gerade lehren, lässt sich nicht auf der Platte festhalten (%1); es ginge mit dem Programm verloren</translation>
+    </message>
+    <message>
+        <source>the folder for what you are teaching cannot be made; it would be lost with the program</source>
+        <translation>der Ordner für das, was Sie gerade lehren, lässt sich nicht anlegen; es ginge mit dem Programm verloren</translation>
     </message>
 </context>
 <context>
@@ -7436,6 +7851,10 @@ Open one with Ctrl+O.</source>
         <source>“%1” is in the library already. Choose another name, or add views to that one.</source>
         <translation>„%1“ ist schon in der Bibliothek. Wählen Sie einen anderen Namen, oder fügen Sie dort Ansichten hinzu.</translation>
     </message>
+    <message>
+        <source>there is no view yet</source>
+        <translation>es gibt noch kein Foto</translation>
+    </message>
 </context>
 <context>
     <name>farol::ui::TeachTry</name>
@@ -8434,6 +8853,10 @@ Schalten Sie die Kamera ein, oder wählen Sie Bilder oder eine Aufnahme.</transl
     <message>
         <source>No trained landmarks: only doors and texts are recognised. Open a library of landmarks to recognise more.</source>
         <translation>Keine trainierten Landmarken: Nur Türen und Texte werden erkannt. Öffnen Sie eine Bibliothek von Landmarken, um mehr zu erkennen.</translation>
+    </message>
+    <message>
+        <source>the folder for recordings cannot be made; choose another one in the settings</source>
+        <translation>der Ordner für Aufnahmen lässt sich nicht anlegen; wählen Sie in den Einstellungen einen anderen</translation>
     </message>
 </context>
 <context>

@@ -1226,6 +1226,410 @@
         <source>the picture is damaged: save it anew</source>
         <translation>la imagen está dañada: guárdela de nuevo</translation>
     </message>
+    <message>
+        <source>Permission denied</source>
+        <translation>permiso denegado</translation>
+    </message>
+    <message>
+        <source>No such file or directory</source>
+        <translation>el archivo o la carpeta no existe</translation>
+    </message>
+    <message>
+        <source>Read-only file system</source>
+        <translation>el sistema de archivos es de solo lectura</translation>
+    </message>
+    <message>
+        <source>No space left on device</source>
+        <translation>no queda espacio en el disco</translation>
+    </message>
+    <message>
+        <source>Input/output error</source>
+        <translation>error de lectura o escritura</translation>
+    </message>
+    <message>
+        <source>Is a directory</source>
+        <translation>es una carpeta</translation>
+    </message>
+    <message>
+        <source>Not a directory</source>
+        <translation>no es una carpeta</translation>
+    </message>
+    <message>
+        <source>File name too long</source>
+        <translation>el nombre del archivo es demasiado largo</translation>
+    </message>
+    <message>
+        <source>Operation not permitted</source>
+        <translation>la operación no está permitida</translation>
+    </message>
+    <message>
+        <source>Too many open files</source>
+        <translation>hay demasiados archivos abiertos</translation>
+    </message>
+    <message>
+        <source>cannot be read as a picture</source>
+        <translation>no se puede leer como imagen</translation>
+    </message>
+    <message>
+        <source>no source was named: give camera:0, a video file, a folder of pictures or an address</source>
+        <translation>no se indicó ninguna fuente: dé camera:0, un archivo de vídeo, una carpeta de imágenes o una dirección</translation>
+    </message>
+    <message>
+        <source>there is no such file or folder (a source is camera:0, a video file, a folder of pictures, or an http or rtsp address)</source>
+        <translation>no existe ese archivo ni esa carpeta (una fuente es camera:0, un archivo de vídeo, una carpeta de imágenes o una dirección http o rtsp)</translation>
+    </message>
+    <message>
+        <source>the folder cannot be read</source>
+        <translation>no se puede leer la carpeta</translation>
+    </message>
+    <message>
+        <source>there are no pictures in this folder (jpg, png, bmp, webp or tif)</source>
+        <translation>no hay imágenes en esta carpeta (jpg, png, bmp, webp o tif)</translation>
+    </message>
+    <message>
+        <source>is neither a picture nor a video that can be opened (tried FFmpeg and GStreamer)</source>
+        <translation>no es una imagen ni un vídeo que se pueda abrir (se probaron FFmpeg y GStreamer)</translation>
+    </message>
+    <message>
+        <source>the address does not answer with a video within %1 s (tried FFmpeg): is the camera on, and the address right?</source>
+        <translation>la dirección no responde con un vídeo en %1 s (se probó FFmpeg): ¿está encendida la cámara, y es correcta la dirección?</translation>
+    </message>
+    <message>
+        <source>a camera is named by its number or its device, such as camera:0</source>
+        <translation>una cámara se indica por su número o dispositivo, como camera:0</translation>
+    </message>
+    <message>
+        <source>the camera cannot be opened (tried Video4Linux at %1): is it plugged in, and not in use by another program?</source>
+        <translation>no se puede abrir la cámara (se probó Video4Linux en %1): ¿está conectada, y no la usa otro programa?</translation>
+    </message>
+    <message>
+        <source>%1 delivers no more pictures</source>
+        <translation>%1 ya no entrega imágenes</translation>
+    </message>
+    <message>
+        <source>%1 gives no more pictures</source>
+        <translation>%1 ha dejado de dar imágenes</translation>
+    </message>
+    <message>
+        <source>%1 is tried again (attempt %2)</source>
+        <translation>se intenta de nuevo %1 (intento %2)</translation>
+    </message>
+    <message>
+        <source>%1 is back</source>
+        <translation>%1 ha vuelto</translation>
+    </message>
+    <message>
+        <source>%1 broke down: %2</source>
+        <translation>%1 falló: %2</translation>
+    </message>
+    <message>
+        <source>the library&apos;s version is not a number: &quot;%1&quot;</source>
+        <translation>la versión de la biblioteca no es un número: “%1”</translation>
+    </message>
+    <message>
+        <source>the landmark library is of a later version (%1) than this program knows (%2); update Farol</source>
+        <translation>la biblioteca de puntos de referencia es de una versión (%1) posterior a la que conoce este programa (%2); actualice Farol</translation>
+    </message>
+    <message>
+        <source>holds no landmark library (no layers templates and views)</source>
+        <translation>no contiene una biblioteca de puntos de referencia (faltan las capas templates y views)</translation>
+    </message>
+    <message>
+        <source>the landmark library cannot be read</source>
+        <translation>no se puede leer la biblioteca de puntos de referencia</translation>
+    </message>
+    <message>
+        <source>cannot save the library: %1</source>
+        <translation>no se puede guardar la biblioteca: %1</translation>
+    </message>
+    <message>
+        <source>is not a GeoPackage, and a library is kept in one (*.gpkg)</source>
+        <translation>no es un GeoPackage, y una biblioteca se guarda en uno (*.gpkg)</translation>
+    </message>
+    <message>
+        <source>a template has no name</source>
+        <translation>un punto de referencia no tiene nombre</translation>
+    </message>
+    <message>
+        <source>template %1 stands twice</source>
+        <translation>el punto de referencia %1 aparece dos veces</translation>
+    </message>
+    <message>
+        <source>a view belongs to a template that is not in the library</source>
+        <translation>una fotografía es de un punto de referencia que no está en la biblioteca</translation>
+    </message>
+    <message>
+        <source>the photograph or its outline is missing</source>
+        <translation>falta la fotografía o su contorno</translation>
+    </message>
+    <message>
+        <source>the extractor&apos;s parameters cannot be read: &quot;%1&quot;</source>
+        <translation>no se pueden leer los parámetros del extractor: “%1”</translation>
+    </message>
+    <message>
+        <source>the library was trained with %1, but %2; train it again from its photographs</source>
+        <translation>la biblioteca se entrenó con %1, pero %2; entrénela de nuevo a partir de sus fotografías</translation>
+    </message>
+    <message>
+        <source>the library was trained with %1, but %2 is in use; train it again from its photographs, or choose its own extractor</source>
+        <translation>la biblioteca se entrenó con %1, pero se usa %2; entrénela de nuevo a partir de sus fotografías, o elija su propio extractor</translation>
+    </message>
+    <message>
+        <source>there is no feature extractor &quot;%1&quot;; there are %2</source>
+        <translation>no hay ningún extractor “%1”; hay %2</translation>
+    </message>
+    <message>
+        <source>version %1 of %2 is not known, only %3</source>
+        <translation>no se conoce la versión %1 de %2, solo la %3</translation>
+    </message>
+    <message>
+        <source>the working size must be between 64 and 4096 pixels</source>
+        <translation>el tamaño de trabajo debe estar entre 64 y 4096 píxeles</translation>
+    </message>
+    <message>
+        <source>the number of keypoints must be between 10 and 20000</source>
+        <translation>el número de puntos clave debe estar entre 10 y 20000</translation>
+    </message>
+    <message>
+        <source>the contrast threshold must be between 0 and 1</source>
+        <translation>el umbral de contraste debe estar entre 0 y 1</translation>
+    </message>
+    <message>
+        <source>%1; the library is damaged: restore it or train this view again</source>
+        <translation>%1; la biblioteca está dañada: restáurela o entrene de nuevo esta fotografía</translation>
+    </message>
+    <message>
+        <source>the outline &quot;%1&quot; is not eight numbers</source>
+        <translation>el contorno “%1” no son ocho números</translation>
+    </message>
+    <message>
+        <source>the descriptors are not of the width that %1 makes</source>
+        <translation>los descriptores no tienen el ancho que produce %1</translation>
+    </message>
+    <message>
+        <source>the photograph&apos;s size is missing</source>
+        <translation>falta el tamaño de la fotografía</translation>
+    </message>
+    <message>
+        <source>the checksum does not fit the photograph and its features</source>
+        <translation>la suma de control no corresponde a la fotografía y sus características</translation>
+    </message>
+    <message>
+        <source>the keypoints do not begin as they should</source>
+        <translation>los puntos clave no empiezan como deben</translation>
+    </message>
+    <message>
+        <source>the keypoints have an impossible size</source>
+        <translation>los puntos clave tienen un tamaño imposible</translation>
+    </message>
+    <message>
+        <source>the keypoints are cut off or too long</source>
+        <translation>los puntos clave están cortados o son demasiado largos</translation>
+    </message>
+    <message>
+        <source>the keypoints are of another kind</source>
+        <translation>los puntos clave son de otro tipo</translation>
+    </message>
+    <message>
+        <source>a keypoint has an impossible value</source>
+        <translation>un punto clave tiene un valor imposible</translation>
+    </message>
+    <message>
+        <source>the descriptors do not begin as they should</source>
+        <translation>los descriptores no empiezan como deben</translation>
+    </message>
+    <message>
+        <source>the descriptors have an impossible size</source>
+        <translation>los descriptores tienen un tamaño imposible</translation>
+    </message>
+    <message>
+        <source>the descriptors are cut off or too long</source>
+        <translation>los descriptores están cortados o son demasiado largos</translation>
+    </message>
+    <message>
+        <source>the descriptors are of another kind</source>
+        <translation>los descriptores son de otro tipo</translation>
+    </message>
+    <message>
+        <source>there are not as many descriptors as keypoints</source>
+        <translation>no hay tantos descriptores como puntos clave</translation>
+    </message>
+    <message>
+        <source>cannot replace the layer</source>
+        <translation>no se puede sustituir la capa</translation>
+    </message>
+    <message>
+        <source>cannot make the layer</source>
+        <translation>no se puede crear la capa</translation>
+    </message>
+    <message>
+        <source>cannot make the field %1</source>
+        <translation>no se puede crear el campo %1</translation>
+    </message>
+    <message>
+        <source>cannot replace the version</source>
+        <translation>no se puede sustituir la versión</translation>
+    </message>
+    <message>
+        <source>the layer has no fields key and value: this is not one of Farol&apos;s files</source>
+        <translation>la capa no tiene los campos key y value: este archivo no es de Farol</translation>
+    </message>
+    <message>
+        <source>no view is chosen</source>
+        <translation>no hay ninguna fotografía elegida</translation>
+    </message>
+    <message>
+        <source>a template needs at least one view; delete it instead</source>
+        <translation>un punto de referencia necesita al menos una fotografía; en su lugar, elimínelo</translation>
+    </message>
+    <message>
+        <source>a template needs a name of its own</source>
+        <translation>un punto de referencia necesita un nombre propio</translation>
+    </message>
+    <message>
+        <source>this name is taken by another template</source>
+        <translation>otro punto de referencia ya tiene este nombre</translation>
+    </message>
+    <message>
+        <source>a template needs at least one view</source>
+        <translation>un punto de referencia necesita al menos una fotografía</translation>
+    </message>
+    <message>
+        <source>a real size must be a positive number of metres</source>
+        <translation>un tamaño real debe ser un número positivo de metros</translation>
+    </message>
+    <message>
+        <source>a template cannot be merged with itself</source>
+        <translation>un punto de referencia no se puede unir consigo mismo</translation>
+    </message>
+    <message>
+        <source>a place and an object cannot be one template; choose two of the same sort</source>
+        <translation>un lugar y un objeto no pueden ser un solo punto de referencia; elija dos del mismo tipo</translation>
+    </message>
+    <message>
+        <source>the outline has a corner that is no number</source>
+        <translation>el contorno tiene una esquina que no es un número</translation>
+    </message>
+    <message>
+        <source>the outline leaves the picture, which is %1 x %2 pixels</source>
+        <translation>el contorno se sale de la imagen, que tiene %1 x %2 píxeles</translation>
+    </message>
+    <message>
+        <source>the outline&apos;s four corners must follow the object&apos;s border clockwise from its top left, without crossing</source>
+        <translation>las cuatro esquinas del contorno deben seguir el borde del objeto en el sentido de las agujas del reloj desde arriba a la izquierda, sin cruzarse</translation>
+    </message>
+    <message>
+        <source>the outline&apos;s corners run counter-clockwise; give them clockwise from the object&apos;s top left</source>
+        <translation>las esquinas del contorno van en sentido contrario a las agujas del reloj; delas en ese sentido desde arriba a la izquierda del objeto</translation>
+    </message>
+    <message>
+        <source>the outline is only %1 x %2 pixels; photograph the object from nearer</source>
+        <translation>el contorno tiene solo %1 x %2 píxeles; fotografíe el objeto desde más cerca</translation>
+    </message>
+    <message>
+        <source>a template needs a name</source>
+        <translation>un punto de referencia necesita un nombre</translation>
+    </message>
+    <message>
+        <source>this template is of kind %1, not %2; use another template name</source>
+        <translation>este punto de referencia es del tipo %1, no %2; use otro nombre</translation>
+    </message>
+    <message>
+        <source>only %1 features were found in the picture; at least %2 are needed: take a sharp, well lit photograph of something with detail, from nearer</source>
+        <translation>solo se encontraron %1 características en la imagen; se necesitan al menos %2: haga una fotografía nítida y bien iluminada de algo con detalles, desde más cerca</translation>
+    </message>
+    <message>
+        <source>only %1 features were found inside the outline; at least %2 are needed: take a sharp, well lit photograph of something with detail, from nearer</source>
+        <translation>solo se encontraron %1 características dentro del contorno; se necesitan al menos %2: haga una fotografía nítida y bien iluminada de algo con detalles, desde más cerca</translation>
+    </message>
+    <message>
+        <source>the photograph cannot be read as a picture</source>
+        <translation>no se puede leer la fotografía como imagen</translation>
+    </message>
+    <message>
+        <source>the photograph cannot be used: %1</source>
+        <translation>no se puede usar la fotografía: %1</translation>
+    </message>
+    <message>
+        <source>template %1</source>
+        <translation>punto de referencia %1</translation>
+    </message>
+    <message>
+        <source>%1, template %2</source>
+        <translation>%1, punto de referencia %2</translation>
+    </message>
+    <message>
+        <source>%1, view %2</source>
+        <translation>%1, fotografía %2</translation>
+    </message>
+    <message>
+        <source>%1, a view of template %2</source>
+        <translation>%1, una fotografía del punto de referencia %2</translation>
+    </message>
+    <message>
+        <source>%1, row %2</source>
+        <translation>%1, fila %2</translation>
+    </message>
+    <message>
+        <source>cannot reopen for writing</source>
+        <translation>no se puede volver a abrir para escribir</translation>
+    </message>
+    <message>
+        <source>cannot write to disk</source>
+        <translation>no se puede escribir en el disco</translation>
+    </message>
+    <message>
+        <source>cannot copy before saving</source>
+        <translation>no se puede hacer la copia antes de guardar</translation>
+    </message>
+    <message>
+        <source>cannot put the new file in place</source>
+        <translation>no se puede poner el archivo nuevo en su sitio</translation>
+    </message>
+    <message>
+        <source>is no ordinary file; name another one</source>
+        <translation>no es un archivo común; indique otro</translation>
+    </message>
+    <message>
+        <source>cannot open</source>
+        <translation>no se pudo abrir</translation>
+    </message>
+    <message>
+        <source>cannot read</source>
+        <translation>no se puede leer</translation>
+    </message>
+    <message>
+        <source>cannot write</source>
+        <translation>no se puede escribir</translation>
+    </message>
+    <message>
+        <source>cannot begin to write</source>
+        <translation>no se puede empezar a escribir</translation>
+    </message>
+    <message>
+        <source>cannot finish writing</source>
+        <translation>no se puede terminar de escribir</translation>
+    </message>
+    <message>
+        <source>cannot create the file</source>
+        <translation>no se puede crear el archivo</translation>
+    </message>
+    <message>
+        <source>this GDAL has no GeoPackage driver</source>
+        <translation>este GDAL no tiene controlador de GeoPackage</translation>
+    </message>
+    <message>
+        <source>the connection cannot be understood: write PG: and then key=value pairs such as dbname=campus host=maps user=anna, values with blanks in single quotes</source>
+        <translation>no se entiende la conexión: escriba PG: y luego pares clave=valor, como dbname=campus host=maps user=anna, con los valores que tienen espacios entre comillas simples</translation>
+    </message>
+    <message>
+        <source>%1; skipped (%2 so far)</source>
+        <translation>%1; se saltó (%2 hasta ahora)</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read as a picture</source>
+        <translation>%1: no se puede leer como imagen</translation>
+    </message>
 </context>
 <context>
     <name>farol::Options</name>
@@ -1505,6 +1909,17 @@
     <message>
         <source>Match</source>
         <translation>Coincidencia</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::DraftStore</name>
+    <message>
+        <source>what you are teaching cannot be kept on disk (%1); it would be lost with the program</source>
+        <translation>lo que está enseñando no se puede guardar en el disco (%1); se perdería con el programa</translation>
+    </message>
+    <message>
+        <source>the folder for what you are teaching cannot be made; it would be lost with the program</source>
+        <translation>no se puede crear la carpeta para lo que está enseñando; se perdería con el programa</translation>
     </message>
 </context>
 <context>
@@ -7436,6 +7851,10 @@ Abra uno con Ctrl+O.</translation>
         <source>“%1” is in the library already. Choose another name, or add views to that one.</source>
         <translation>“%1” ya está en la biblioteca. Elija otro nombre, o añada vistas a ese.</translation>
     </message>
+    <message>
+        <source>there is no view yet</source>
+        <translation>todavía no hay ninguna fotografía</translation>
+    </message>
 </context>
 <context>
     <name>farol::ui::TeachTry</name>
@@ -8434,6 +8853,10 @@ Encienda la cámara, o elija imágenes o una grabación.</translation>
     <message>
         <source>No trained landmarks: only doors and texts are recognised. Open a library of landmarks to recognise more.</source>
         <translation>No hay puntos de referencia entrenados: solo se reconocen puertas y textos. Abra una biblioteca de puntos de referencia para reconocer más.</translation>
+    </message>
+    <message>
+        <source>the folder for recordings cannot be made; choose another one in the settings</source>
+        <translation>no se puede crear la carpeta de las grabaciones; elija otra en los ajustes</translation>
     </message>
 </context>
 <context>

@@ -1226,6 +1226,410 @@
         <source>the picture is damaged: save it anew</source>
         <translation>l&apos;image est endommagée&#xa0;: enregistrez-la de nouveau</translation>
     </message>
+    <message>
+        <source>Permission denied</source>
+        <translation>permission refusée</translation>
+    </message>
+    <message>
+        <source>No such file or directory</source>
+        <translation>le fichier ou le dossier n&apos;existe pas</translation>
+    </message>
+    <message>
+        <source>Read-only file system</source>
+        <translation>le système de fichiers est en lecture seule</translation>
+    </message>
+    <message>
+        <source>No space left on device</source>
+        <translation>il n&apos;y a plus de place sur le disque</translation>
+    </message>
+    <message>
+        <source>Input/output error</source>
+        <translation>erreur de lecture ou d&apos;écriture</translation>
+    </message>
+    <message>
+        <source>Is a directory</source>
+        <translation>c&apos;est un dossier</translation>
+    </message>
+    <message>
+        <source>Not a directory</source>
+        <translation>ce n&apos;est pas un dossier</translation>
+    </message>
+    <message>
+        <source>File name too long</source>
+        <translation>le nom du fichier est trop long</translation>
+    </message>
+    <message>
+        <source>Operation not permitted</source>
+        <translation>l&apos;opération n&apos;est pas permise</translation>
+    </message>
+    <message>
+        <source>Too many open files</source>
+        <translation>trop de fichiers sont ouverts</translation>
+    </message>
+    <message>
+        <source>cannot be read as a picture</source>
+        <translation>ne peut pas être lu comme image</translation>
+    </message>
+    <message>
+        <source>no source was named: give camera:0, a video file, a folder of pictures or an address</source>
+        <translation>aucune source n&apos;a été indiquée&#xa0;: donnez camera:0, un fichier vidéo, un dossier d&apos;images ou une adresse</translation>
+    </message>
+    <message>
+        <source>there is no such file or folder (a source is camera:0, a video file, a folder of pictures, or an http or rtsp address)</source>
+        <translation>ce fichier ou ce dossier n&apos;existe pas (une source est camera:0, un fichier vidéo, un dossier d&apos;images ou une adresse http ou rtsp)</translation>
+    </message>
+    <message>
+        <source>the folder cannot be read</source>
+        <translation>le dossier ne peut pas être lu</translation>
+    </message>
+    <message>
+        <source>there are no pictures in this folder (jpg, png, bmp, webp or tif)</source>
+        <translation>il n&apos;y a pas d&apos;images dans ce dossier (jpg, png, bmp, webp ou tif)</translation>
+    </message>
+    <message>
+        <source>is neither a picture nor a video that can be opened (tried FFmpeg and GStreamer)</source>
+        <translation>n&apos;est ni une image ni une vidéo qui puisse être ouverte (essayé avec FFmpeg et GStreamer)</translation>
+    </message>
+    <message>
+        <source>the address does not answer with a video within %1 s (tried FFmpeg): is the camera on, and the address right?</source>
+        <translation>l&apos;adresse ne répond pas par une vidéo en %1 s (essayé avec FFmpeg)&#xa0;: la caméra est-elle allumée, et l&apos;adresse juste&#xa0;?</translation>
+    </message>
+    <message>
+        <source>a camera is named by its number or its device, such as camera:0</source>
+        <translation>une caméra s&apos;indique par son numéro ou son périphérique, comme camera:0</translation>
+    </message>
+    <message>
+        <source>the camera cannot be opened (tried Video4Linux at %1): is it plugged in, and not in use by another program?</source>
+        <translation>la caméra ne peut pas être ouverte (essayé avec Video4Linux sur %1)&#xa0;: est-elle branchée, et libre de tout autre programme&#xa0;?</translation>
+    </message>
+    <message>
+        <source>%1 delivers no more pictures</source>
+        <translation>%1 ne fournit plus d&apos;images</translation>
+    </message>
+    <message>
+        <source>%1 gives no more pictures</source>
+        <translation>%1 ne donne plus d&apos;images</translation>
+    </message>
+    <message>
+        <source>%1 is tried again (attempt %2)</source>
+        <translation>nouvel essai de %1 (tentative %2)</translation>
+    </message>
+    <message>
+        <source>%1 is back</source>
+        <translation>%1 est de retour</translation>
+    </message>
+    <message>
+        <source>%1 broke down: %2</source>
+        <translation>%1 est tombé en panne&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>the library&apos;s version is not a number: &quot;%1&quot;</source>
+        <translation>la version de la bibliothèque n&apos;est pas un nombre&#xa0;: «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>the landmark library is of a later version (%1) than this program knows (%2); update Farol</source>
+        <translation>la bibliothèque de repères est d&apos;une version (%1) plus récente que celle que connaît ce programme (%2)&#xa0;; mettez Farol à jour</translation>
+    </message>
+    <message>
+        <source>holds no landmark library (no layers templates and views)</source>
+        <translation>ne contient pas de bibliothèque de repères (sans couches templates et views)</translation>
+    </message>
+    <message>
+        <source>the landmark library cannot be read</source>
+        <translation>la bibliothèque de repères ne peut pas être lue</translation>
+    </message>
+    <message>
+        <source>cannot save the library: %1</source>
+        <translation>la bibliothèque ne peut pas être enregistrée&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>is not a GeoPackage, and a library is kept in one (*.gpkg)</source>
+        <translation>n&apos;est pas un GeoPackage, et une bibliothèque se range dans un tel fichier (*.gpkg)</translation>
+    </message>
+    <message>
+        <source>a template has no name</source>
+        <translation>un repère n&apos;a pas de nom</translation>
+    </message>
+    <message>
+        <source>template %1 stands twice</source>
+        <translation>le repère %1 figure deux fois</translation>
+    </message>
+    <message>
+        <source>a view belongs to a template that is not in the library</source>
+        <translation>une photographie appartient à un repère qui n&apos;est pas dans la bibliothèque</translation>
+    </message>
+    <message>
+        <source>the photograph or its outline is missing</source>
+        <translation>la photographie ou son contour manque</translation>
+    </message>
+    <message>
+        <source>the extractor&apos;s parameters cannot be read: &quot;%1&quot;</source>
+        <translation>les paramètres de l&apos;extracteur ne peuvent pas être lus&#xa0;: «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>the library was trained with %1, but %2; train it again from its photographs</source>
+        <translation>la bibliothèque a été apprise avec %1, mais %2&#xa0;; faites-la réapprendre à partir de ses photographies</translation>
+    </message>
+    <message>
+        <source>the library was trained with %1, but %2 is in use; train it again from its photographs, or choose its own extractor</source>
+        <translation>la bibliothèque a été apprise avec %1, mais %2 est utilisé&#xa0;; faites-la réapprendre à partir de ses photographies, ou choisissez son propre extracteur</translation>
+    </message>
+    <message>
+        <source>there is no feature extractor &quot;%1&quot;; there are %2</source>
+        <translation>il n&apos;y a pas d&apos;extracteur «&#xa0;%1&#xa0;»&#xa0;; il y a %2</translation>
+    </message>
+    <message>
+        <source>version %1 of %2 is not known, only %3</source>
+        <translation>la version %1 de %2 n&apos;est pas connue, seulement la %3</translation>
+    </message>
+    <message>
+        <source>the working size must be between 64 and 4096 pixels</source>
+        <translation>la taille de travail doit être entre 64 et 4096 pixels</translation>
+    </message>
+    <message>
+        <source>the number of keypoints must be between 10 and 20000</source>
+        <translation>le nombre de points clés doit être entre 10 et 20000</translation>
+    </message>
+    <message>
+        <source>the contrast threshold must be between 0 and 1</source>
+        <translation>le seuil de contraste doit être entre 0 et 1</translation>
+    </message>
+    <message>
+        <source>%1; the library is damaged: restore it or train this view again</source>
+        <translation>%1&#xa0;; la bibliothèque est endommagée&#xa0;: restaurez-la ou faites réapprendre cette photographie</translation>
+    </message>
+    <message>
+        <source>the outline &quot;%1&quot; is not eight numbers</source>
+        <translation>le contour «&#xa0;%1&#xa0;» n&apos;est pas fait de huit nombres</translation>
+    </message>
+    <message>
+        <source>the descriptors are not of the width that %1 makes</source>
+        <translation>les descripteurs n&apos;ont pas la largeur que produit %1</translation>
+    </message>
+    <message>
+        <source>the photograph&apos;s size is missing</source>
+        <translation>la taille de la photographie manque</translation>
+    </message>
+    <message>
+        <source>the checksum does not fit the photograph and its features</source>
+        <translation>la somme de contrôle ne correspond pas à la photographie et à ses caractéristiques</translation>
+    </message>
+    <message>
+        <source>the keypoints do not begin as they should</source>
+        <translation>les points clés ne commencent pas comme il faut</translation>
+    </message>
+    <message>
+        <source>the keypoints have an impossible size</source>
+        <translation>les points clés ont une taille impossible</translation>
+    </message>
+    <message>
+        <source>the keypoints are cut off or too long</source>
+        <translation>les points clés sont coupés ou trop longs</translation>
+    </message>
+    <message>
+        <source>the keypoints are of another kind</source>
+        <translation>les points clés sont d&apos;un autre type</translation>
+    </message>
+    <message>
+        <source>a keypoint has an impossible value</source>
+        <translation>un point clé a une valeur impossible</translation>
+    </message>
+    <message>
+        <source>the descriptors do not begin as they should</source>
+        <translation>les descripteurs ne commencent pas comme il faut</translation>
+    </message>
+    <message>
+        <source>the descriptors have an impossible size</source>
+        <translation>les descripteurs ont une taille impossible</translation>
+    </message>
+    <message>
+        <source>the descriptors are cut off or too long</source>
+        <translation>les descripteurs sont coupés ou trop longs</translation>
+    </message>
+    <message>
+        <source>the descriptors are of another kind</source>
+        <translation>les descripteurs sont d&apos;un autre type</translation>
+    </message>
+    <message>
+        <source>there are not as many descriptors as keypoints</source>
+        <translation>il n&apos;y a pas autant de descripteurs que de points clés</translation>
+    </message>
+    <message>
+        <source>cannot replace the layer</source>
+        <translation>la couche ne peut pas être remplacée</translation>
+    </message>
+    <message>
+        <source>cannot make the layer</source>
+        <translation>la couche ne peut pas être créée</translation>
+    </message>
+    <message>
+        <source>cannot make the field %1</source>
+        <translation>le champ %1 ne peut pas être créé</translation>
+    </message>
+    <message>
+        <source>cannot replace the version</source>
+        <translation>la version ne peut pas être remplacée</translation>
+    </message>
+    <message>
+        <source>the layer has no fields key and value: this is not one of Farol&apos;s files</source>
+        <translation>la couche n&apos;a pas les champs key et value&#xa0;: ce fichier n&apos;est pas de Farol</translation>
+    </message>
+    <message>
+        <source>no view is chosen</source>
+        <translation>aucune photographie n&apos;est choisie</translation>
+    </message>
+    <message>
+        <source>a template needs at least one view; delete it instead</source>
+        <translation>un repère a besoin d&apos;au moins une photographie&#xa0;; supprimez-le plutôt</translation>
+    </message>
+    <message>
+        <source>a template needs a name of its own</source>
+        <translation>un repère a besoin d&apos;un nom à lui</translation>
+    </message>
+    <message>
+        <source>this name is taken by another template</source>
+        <translation>ce nom est déjà celui d&apos;un autre repère</translation>
+    </message>
+    <message>
+        <source>a template needs at least one view</source>
+        <translation>un repère a besoin d&apos;au moins une photographie</translation>
+    </message>
+    <message>
+        <source>a real size must be a positive number of metres</source>
+        <translation>une taille réelle doit être un nombre positif de mètres</translation>
+    </message>
+    <message>
+        <source>a template cannot be merged with itself</source>
+        <translation>un repère ne peut pas être réuni avec lui-même</translation>
+    </message>
+    <message>
+        <source>a place and an object cannot be one template; choose two of the same sort</source>
+        <translation>un lieu et un objet ne peuvent pas former un seul repère&#xa0;; choisissez-en deux de la même sorte</translation>
+    </message>
+    <message>
+        <source>the outline has a corner that is no number</source>
+        <translation>le contour a un angle qui n&apos;est pas un nombre</translation>
+    </message>
+    <message>
+        <source>the outline leaves the picture, which is %1 x %2 pixels</source>
+        <translation>le contour sort de l&apos;image, qui fait %1 x %2 pixels</translation>
+    </message>
+    <message>
+        <source>the outline&apos;s four corners must follow the object&apos;s border clockwise from its top left, without crossing</source>
+        <translation>les quatre angles du contour doivent suivre le bord de l&apos;objet dans le sens des aiguilles d&apos;une montre depuis le haut à gauche, sans se croiser</translation>
+    </message>
+    <message>
+        <source>the outline&apos;s corners run counter-clockwise; give them clockwise from the object&apos;s top left</source>
+        <translation>les angles du contour tournent à l&apos;envers des aiguilles d&apos;une montre&#xa0;; donnez-les dans leur sens depuis le haut à gauche de l&apos;objet</translation>
+    </message>
+    <message>
+        <source>the outline is only %1 x %2 pixels; photograph the object from nearer</source>
+        <translation>le contour ne fait que %1 x %2 pixels&#xa0;; photographiez l&apos;objet de plus près</translation>
+    </message>
+    <message>
+        <source>a template needs a name</source>
+        <translation>un repère a besoin d&apos;un nom</translation>
+    </message>
+    <message>
+        <source>this template is of kind %1, not %2; use another template name</source>
+        <translation>ce repère est du type %1, non %2&#xa0;; utilisez un autre nom</translation>
+    </message>
+    <message>
+        <source>only %1 features were found in the picture; at least %2 are needed: take a sharp, well lit photograph of something with detail, from nearer</source>
+        <translation>seules %1 caractéristiques ont été trouvées dans l&apos;image&#xa0;; il en faut au moins %2&#xa0;: prenez une photographie nette et bien éclairée de quelque chose de détaillé, de plus près</translation>
+    </message>
+    <message>
+        <source>only %1 features were found inside the outline; at least %2 are needed: take a sharp, well lit photograph of something with detail, from nearer</source>
+        <translation>seules %1 caractéristiques ont été trouvées dans le contour&#xa0;; il en faut au moins %2&#xa0;: prenez une photographie nette et bien éclairée de quelque chose de détaillé, de plus près</translation>
+    </message>
+    <message>
+        <source>the photograph cannot be read as a picture</source>
+        <translation>la photographie ne peut pas être lue comme image</translation>
+    </message>
+    <message>
+        <source>the photograph cannot be used: %1</source>
+        <translation>la photographie ne peut pas être utilisée&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>template %1</source>
+        <translation>repère %1</translation>
+    </message>
+    <message>
+        <source>%1, template %2</source>
+        <translation>%1, repère %2</translation>
+    </message>
+    <message>
+        <source>%1, view %2</source>
+        <translation>%1, photographie %2</translation>
+    </message>
+    <message>
+        <source>%1, a view of template %2</source>
+        <translation>%1, une photographie du repère %2</translation>
+    </message>
+    <message>
+        <source>%1, row %2</source>
+        <translation>%1, ligne %2</translation>
+    </message>
+    <message>
+        <source>cannot reopen for writing</source>
+        <translation>ne peut pas être rouvert en écriture</translation>
+    </message>
+    <message>
+        <source>cannot write to disk</source>
+        <translation>l&apos;écriture sur le disque est impossible</translation>
+    </message>
+    <message>
+        <source>cannot copy before saving</source>
+        <translation>la copie avant l&apos;enregistrement est impossible</translation>
+    </message>
+    <message>
+        <source>cannot put the new file in place</source>
+        <translation>le nouveau fichier ne peut pas être mis en place</translation>
+    </message>
+    <message>
+        <source>is no ordinary file; name another one</source>
+        <translation>n&apos;est pas un fichier ordinaire&#xa0;; indiquez-en un autre</translation>
+    </message>
+    <message>
+        <source>cannot open</source>
+        <translation>l&apos;ouverture a échoué</translation>
+    </message>
+    <message>
+        <source>cannot read</source>
+        <translation>la lecture a échoué</translation>
+    </message>
+    <message>
+        <source>cannot write</source>
+        <translation>l&apos;écriture a échoué</translation>
+    </message>
+    <message>
+        <source>cannot begin to write</source>
+        <translation>l&apos;écriture ne peut pas commencer</translation>
+    </message>
+    <message>
+        <source>cannot finish writing</source>
+        <translation>l&apos;écriture ne peut pas s&apos;achever</translation>
+    </message>
+    <message>
+        <source>cannot create the file</source>
+        <translation>le fichier ne peut pas être créé</translation>
+    </message>
+    <message>
+        <source>this GDAL has no GeoPackage driver</source>
+        <translation>ce GDAL n&apos;a pas de pilote GeoPackage</translation>
+    </message>
+    <message>
+        <source>the connection cannot be understood: write PG: and then key=value pairs such as dbname=campus host=maps user=anna, values with blanks in single quotes</source>
+        <translation>la connexion n&apos;est pas comprise&#xa0;: écrivez PG: puis des paires clé=valeur, comme dbname=campus host=maps user=anna, les valeurs avec espaces entre apostrophes</translation>
+    </message>
+    <message>
+        <source>%1; skipped (%2 so far)</source>
+        <translation>%1&#xa0;; image sautée (%2 jusqu&apos;ici)</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read as a picture</source>
+        <translation>%1&#xa0;: ne peut pas être lu comme image</translation>
+    </message>
 </context>
 <context>
     <name>farol::Options</name>
@@ -1505,6 +1909,17 @@
     <message>
         <source>Match</source>
         <translation>Concordance</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::DraftStore</name>
+    <message>
+        <source>what you are teaching cannot be kept on disk (%1); it would be lost with the program</source>
+        <translation>ce que vous enseignez ne peut pas être gardé sur le disque (%1)&#xa0;; ce serait perdu avec le programme</translation>
+    </message>
+    <message>
+        <source>the folder for what you are teaching cannot be made; it would be lost with the program</source>
+        <translation>le dossier pour ce que vous enseignez ne peut pas être créé&#xa0;; ce serait perdu avec le programme</translation>
     </message>
 </context>
 <context>
@@ -7436,6 +7851,10 @@ Ouvrez-en une avec Ctrl+O.</translation>
         <source>“%1” is in the library already. Choose another name, or add views to that one.</source>
         <translation>«&#xa0;%1&#xa0;» est déjà dans la bibliothèque. Choisissez un autre nom, ou ajoutez des vues à celui-là.</translation>
     </message>
+    <message>
+        <source>there is no view yet</source>
+        <translation>il n&apos;y a pas encore de photographie</translation>
+    </message>
 </context>
 <context>
     <name>farol::ui::TeachTry</name>
@@ -8434,6 +8853,10 @@ Allumez la caméra, ou choisissez des images ou un enregistrement.</translation>
     <message>
         <source>No trained landmarks: only doors and texts are recognised. Open a library of landmarks to recognise more.</source>
         <translation>Aucun repère entraîné : seules les portes et les inscriptions sont reconnues. Ouvrez une bibliothèque de repères pour en reconnaître davantage.</translation>
+    </message>
+    <message>
+        <source>the folder for recordings cannot be made; choose another one in the settings</source>
+        <translation>le dossier des enregistrements ne peut pas être créé&#xa0;; choisissez-en un autre dans les paramètres</translation>
     </message>
 </context>
 <context>

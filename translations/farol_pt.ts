@@ -1226,6 +1226,410 @@
         <source>the picture is damaged: save it anew</source>
         <translation>a imagem está danificada: guarde-a de novo</translation>
     </message>
+    <message>
+        <source>Permission denied</source>
+        <translation>permissão recusada</translation>
+    </message>
+    <message>
+        <source>No such file or directory</source>
+        <translation>o ficheiro ou a pasta não existe</translation>
+    </message>
+    <message>
+        <source>Read-only file system</source>
+        <translation>o sistema de ficheiros é só de leitura</translation>
+    </message>
+    <message>
+        <source>No space left on device</source>
+        <translation>não há espaço no disco</translation>
+    </message>
+    <message>
+        <source>Input/output error</source>
+        <translation>erro de leitura ou escrita</translation>
+    </message>
+    <message>
+        <source>Is a directory</source>
+        <translation>é uma pasta</translation>
+    </message>
+    <message>
+        <source>Not a directory</source>
+        <translation>não é uma pasta</translation>
+    </message>
+    <message>
+        <source>File name too long</source>
+        <translation>o nome do ficheiro é demasiado comprido</translation>
+    </message>
+    <message>
+        <source>Operation not permitted</source>
+        <translation>a operação não é permitida</translation>
+    </message>
+    <message>
+        <source>Too many open files</source>
+        <translation>há demasiados ficheiros abertos</translation>
+    </message>
+    <message>
+        <source>cannot be read as a picture</source>
+        <translation>não se consegue ler como imagem</translation>
+    </message>
+    <message>
+        <source>no source was named: give camera:0, a video file, a folder of pictures or an address</source>
+        <translation>não foi indicada nenhuma fonte: dê camera:0, um ficheiro de vídeo, uma pasta de imagens ou um endereço</translation>
+    </message>
+    <message>
+        <source>there is no such file or folder (a source is camera:0, a video file, a folder of pictures, or an http or rtsp address)</source>
+        <translation>não existe esse ficheiro nem essa pasta (uma fonte é camera:0, um ficheiro de vídeo, uma pasta de imagens ou um endereço http ou rtsp)</translation>
+    </message>
+    <message>
+        <source>the folder cannot be read</source>
+        <translation>não se consegue ler a pasta</translation>
+    </message>
+    <message>
+        <source>there are no pictures in this folder (jpg, png, bmp, webp or tif)</source>
+        <translation>não há imagens nesta pasta (jpg, png, bmp, webp ou tif)</translation>
+    </message>
+    <message>
+        <source>is neither a picture nor a video that can be opened (tried FFmpeg and GStreamer)</source>
+        <translation>não é uma imagem nem um vídeo que se consiga abrir (experimentou-se FFmpeg e GStreamer)</translation>
+    </message>
+    <message>
+        <source>the address does not answer with a video within %1 s (tried FFmpeg): is the camera on, and the address right?</source>
+        <translation>o endereço não responde com um vídeo em %1 s (experimentou-se FFmpeg): a câmara está ligada, e o endereço certo?</translation>
+    </message>
+    <message>
+        <source>a camera is named by its number or its device, such as camera:0</source>
+        <translation>uma câmara indica-se pelo seu número ou dispositivo, como camera:0</translation>
+    </message>
+    <message>
+        <source>the camera cannot be opened (tried Video4Linux at %1): is it plugged in, and not in use by another program?</source>
+        <translation>não se consegue abrir a câmara (experimentou-se Video4Linux em %1): está ligada, e não a ser usada por outro programa?</translation>
+    </message>
+    <message>
+        <source>%1 delivers no more pictures</source>
+        <translation>%1 já não fornece imagens</translation>
+    </message>
+    <message>
+        <source>%1 gives no more pictures</source>
+        <translation>%1 deixou de dar imagens</translation>
+    </message>
+    <message>
+        <source>%1 is tried again (attempt %2)</source>
+        <translation>tenta-se de novo %1 (tentativa %2)</translation>
+    </message>
+    <message>
+        <source>%1 is back</source>
+        <translation>%1 está de volta</translation>
+    </message>
+    <message>
+        <source>%1 broke down: %2</source>
+        <translation>%1 avariou-se: %2</translation>
+    </message>
+    <message>
+        <source>the library&apos;s version is not a number: &quot;%1&quot;</source>
+        <translation>a versão da biblioteca não é um número: “%1”</translation>
+    </message>
+    <message>
+        <source>the landmark library is of a later version (%1) than this program knows (%2); update Farol</source>
+        <translation>a biblioteca de pontos de referência é de uma versão (%1) posterior à que este programa conhece (%2); atualize o Farol</translation>
+    </message>
+    <message>
+        <source>holds no landmark library (no layers templates and views)</source>
+        <translation>não contém uma biblioteca de pontos de referência (faltam as camadas templates e views)</translation>
+    </message>
+    <message>
+        <source>the landmark library cannot be read</source>
+        <translation>não se consegue ler a biblioteca de pontos de referência</translation>
+    </message>
+    <message>
+        <source>cannot save the library: %1</source>
+        <translation>não se consegue guardar a biblioteca: %1</translation>
+    </message>
+    <message>
+        <source>is not a GeoPackage, and a library is kept in one (*.gpkg)</source>
+        <translation>não é um GeoPackage, e uma biblioteca guarda-se num (*.gpkg)</translation>
+    </message>
+    <message>
+        <source>a template has no name</source>
+        <translation>um ponto de referência não tem nome</translation>
+    </message>
+    <message>
+        <source>template %1 stands twice</source>
+        <translation>o ponto de referência %1 aparece duas vezes</translation>
+    </message>
+    <message>
+        <source>a view belongs to a template that is not in the library</source>
+        <translation>uma fotografia é de um ponto de referência que não está na biblioteca</translation>
+    </message>
+    <message>
+        <source>the photograph or its outline is missing</source>
+        <translation>falta a fotografia ou o seu contorno</translation>
+    </message>
+    <message>
+        <source>the extractor&apos;s parameters cannot be read: &quot;%1&quot;</source>
+        <translation>não se consegue ler os parâmetros do extrator: “%1”</translation>
+    </message>
+    <message>
+        <source>the library was trained with %1, but %2; train it again from its photographs</source>
+        <translation>a biblioteca foi treinada com %1, mas %2; treine-a de novo a partir das suas fotografias</translation>
+    </message>
+    <message>
+        <source>the library was trained with %1, but %2 is in use; train it again from its photographs, or choose its own extractor</source>
+        <translation>a biblioteca foi treinada com %1, mas está a usar-se %2; treine-a de novo a partir das suas fotografias, ou escolha o extrator dela</translation>
+    </message>
+    <message>
+        <source>there is no feature extractor &quot;%1&quot;; there are %2</source>
+        <translation>não há nenhum extrator “%1”; há %2</translation>
+    </message>
+    <message>
+        <source>version %1 of %2 is not known, only %3</source>
+        <translation>não se conhece a versão %1 de %2, só a %3</translation>
+    </message>
+    <message>
+        <source>the working size must be between 64 and 4096 pixels</source>
+        <translation>o tamanho de trabalho tem de estar entre 64 e 4096 píxeis</translation>
+    </message>
+    <message>
+        <source>the number of keypoints must be between 10 and 20000</source>
+        <translation>o número de pontos-chave tem de estar entre 10 e 20000</translation>
+    </message>
+    <message>
+        <source>the contrast threshold must be between 0 and 1</source>
+        <translation>o limiar de contraste tem de estar entre 0 e 1</translation>
+    </message>
+    <message>
+        <source>%1; the library is damaged: restore it or train this view again</source>
+        <translation>%1; a biblioteca está danificada: reponha-a ou treine de novo esta fotografia</translation>
+    </message>
+    <message>
+        <source>the outline &quot;%1&quot; is not eight numbers</source>
+        <translation>o contorno “%1” não tem oito números</translation>
+    </message>
+    <message>
+        <source>the descriptors are not of the width that %1 makes</source>
+        <translation>os descritores não têm a largura que %1 produz</translation>
+    </message>
+    <message>
+        <source>the photograph&apos;s size is missing</source>
+        <translation>falta o tamanho da fotografia</translation>
+    </message>
+    <message>
+        <source>the checksum does not fit the photograph and its features</source>
+        <translation>a soma de controlo não corresponde à fotografia e às suas características</translation>
+    </message>
+    <message>
+        <source>the keypoints do not begin as they should</source>
+        <translation>os pontos-chave não começam como devem</translation>
+    </message>
+    <message>
+        <source>the keypoints have an impossible size</source>
+        <translation>os pontos-chave têm um tamanho impossível</translation>
+    </message>
+    <message>
+        <source>the keypoints are cut off or too long</source>
+        <translation>os pontos-chave estão cortados ou são longos demais</translation>
+    </message>
+    <message>
+        <source>the keypoints are of another kind</source>
+        <translation>os pontos-chave são de outro tipo</translation>
+    </message>
+    <message>
+        <source>a keypoint has an impossible value</source>
+        <translation>um ponto-chave tem um valor impossível</translation>
+    </message>
+    <message>
+        <source>the descriptors do not begin as they should</source>
+        <translation>os descritores não começam como devem</translation>
+    </message>
+    <message>
+        <source>the descriptors have an impossible size</source>
+        <translation>os descritores têm um tamanho impossível</translation>
+    </message>
+    <message>
+        <source>the descriptors are cut off or too long</source>
+        <translation>os descritores estão cortados ou são longos demais</translation>
+    </message>
+    <message>
+        <source>the descriptors are of another kind</source>
+        <translation>os descritores são de outro tipo</translation>
+    </message>
+    <message>
+        <source>there are not as many descriptors as keypoints</source>
+        <translation>não há tantos descritores como pontos-chave</translation>
+    </message>
+    <message>
+        <source>cannot replace the layer</source>
+        <translation>não se consegue substituir a camada</translation>
+    </message>
+    <message>
+        <source>cannot make the layer</source>
+        <translation>não se consegue criar a camada</translation>
+    </message>
+    <message>
+        <source>cannot make the field %1</source>
+        <translation>não se consegue criar o campo %1</translation>
+    </message>
+    <message>
+        <source>cannot replace the version</source>
+        <translation>não se consegue substituir a versão</translation>
+    </message>
+    <message>
+        <source>the layer has no fields key and value: this is not one of Farol&apos;s files</source>
+        <translation>a camada não tem os campos key e value: este ficheiro não é do Farol</translation>
+    </message>
+    <message>
+        <source>no view is chosen</source>
+        <translation>não está escolhida nenhuma fotografia</translation>
+    </message>
+    <message>
+        <source>a template needs at least one view; delete it instead</source>
+        <translation>um ponto de referência precisa de pelo menos uma fotografia; em vez disso, elimine-o</translation>
+    </message>
+    <message>
+        <source>a template needs a name of its own</source>
+        <translation>um ponto de referência precisa de um nome próprio</translation>
+    </message>
+    <message>
+        <source>this name is taken by another template</source>
+        <translation>outro ponto de referência já tem este nome</translation>
+    </message>
+    <message>
+        <source>a template needs at least one view</source>
+        <translation>um ponto de referência precisa de pelo menos uma fotografia</translation>
+    </message>
+    <message>
+        <source>a real size must be a positive number of metres</source>
+        <translation>um tamanho real tem de ser um número positivo de metros</translation>
+    </message>
+    <message>
+        <source>a template cannot be merged with itself</source>
+        <translation>um ponto de referência não pode ser unido a si próprio</translation>
+    </message>
+    <message>
+        <source>a place and an object cannot be one template; choose two of the same sort</source>
+        <translation>um lugar e um objeto não podem ser um só ponto de referência; escolha dois do mesmo tipo</translation>
+    </message>
+    <message>
+        <source>the outline has a corner that is no number</source>
+        <translation>o contorno tem um canto que não é um número</translation>
+    </message>
+    <message>
+        <source>the outline leaves the picture, which is %1 x %2 pixels</source>
+        <translation>o contorno sai da imagem, que tem %1 x %2 píxeis</translation>
+    </message>
+    <message>
+        <source>the outline&apos;s four corners must follow the object&apos;s border clockwise from its top left, without crossing</source>
+        <translation>os quatro cantos do contorno têm de seguir a borda do objeto no sentido dos ponteiros do relógio a partir do canto superior esquerdo, sem se cruzarem</translation>
+    </message>
+    <message>
+        <source>the outline&apos;s corners run counter-clockwise; give them clockwise from the object&apos;s top left</source>
+        <translation>os cantos do contorno vão no sentido contrário ao dos ponteiros do relógio; dê-os nesse sentido a partir do canto superior esquerdo do objeto</translation>
+    </message>
+    <message>
+        <source>the outline is only %1 x %2 pixels; photograph the object from nearer</source>
+        <translation>o contorno tem só %1 x %2 píxeis; fotografe o objeto de mais perto</translation>
+    </message>
+    <message>
+        <source>a template needs a name</source>
+        <translation>um ponto de referência precisa de um nome</translation>
+    </message>
+    <message>
+        <source>this template is of kind %1, not %2; use another template name</source>
+        <translation>este ponto de referência é do tipo %1, não %2; use outro nome</translation>
+    </message>
+    <message>
+        <source>only %1 features were found in the picture; at least %2 are needed: take a sharp, well lit photograph of something with detail, from nearer</source>
+        <translation>só se encontraram %1 características na imagem; são precisas pelo menos %2: tire uma fotografia nítida e bem iluminada de algo com pormenores, de mais perto</translation>
+    </message>
+    <message>
+        <source>only %1 features were found inside the outline; at least %2 are needed: take a sharp, well lit photograph of something with detail, from nearer</source>
+        <translation>só se encontraram %1 características dentro do contorno; são precisas pelo menos %2: tire uma fotografia nítida e bem iluminada de algo com pormenores, de mais perto</translation>
+    </message>
+    <message>
+        <source>the photograph cannot be read as a picture</source>
+        <translation>não se consegue ler a fotografia como imagem</translation>
+    </message>
+    <message>
+        <source>the photograph cannot be used: %1</source>
+        <translation>não se consegue usar a fotografia: %1</translation>
+    </message>
+    <message>
+        <source>template %1</source>
+        <translation>ponto de referência %1</translation>
+    </message>
+    <message>
+        <source>%1, template %2</source>
+        <translation>%1, ponto de referência %2</translation>
+    </message>
+    <message>
+        <source>%1, view %2</source>
+        <translation>%1, fotografia %2</translation>
+    </message>
+    <message>
+        <source>%1, a view of template %2</source>
+        <translation>%1, uma fotografia do ponto de referência %2</translation>
+    </message>
+    <message>
+        <source>%1, row %2</source>
+        <translation>%1, linha %2</translation>
+    </message>
+    <message>
+        <source>cannot reopen for writing</source>
+        <translation>não se consegue reabrir para escrever</translation>
+    </message>
+    <message>
+        <source>cannot write to disk</source>
+        <translation>não se consegue escrever no disco</translation>
+    </message>
+    <message>
+        <source>cannot copy before saving</source>
+        <translation>não se consegue fazer a cópia antes de guardar</translation>
+    </message>
+    <message>
+        <source>cannot put the new file in place</source>
+        <translation>não se consegue pôr o novo ficheiro no seu lugar</translation>
+    </message>
+    <message>
+        <source>is no ordinary file; name another one</source>
+        <translation>não é um ficheiro comum; indique outro</translation>
+    </message>
+    <message>
+        <source>cannot open</source>
+        <translation>não se conseguiu abrir</translation>
+    </message>
+    <message>
+        <source>cannot read</source>
+        <translation>não se consegue ler</translation>
+    </message>
+    <message>
+        <source>cannot write</source>
+        <translation>não se consegue escrever</translation>
+    </message>
+    <message>
+        <source>cannot begin to write</source>
+        <translation>não se consegue começar a escrever</translation>
+    </message>
+    <message>
+        <source>cannot finish writing</source>
+        <translation>não se consegue acabar de escrever</translation>
+    </message>
+    <message>
+        <source>cannot create the file</source>
+        <translation>não se consegue criar o ficheiro</translation>
+    </message>
+    <message>
+        <source>this GDAL has no GeoPackage driver</source>
+        <translation>este GDAL não sabe ler GeoPackage</translation>
+    </message>
+    <message>
+        <source>the connection cannot be understood: write PG: and then key=value pairs such as dbname=campus host=maps user=anna, values with blanks in single quotes</source>
+        <translation>não se entende a ligação: escreva PG: e depois pares chave=valor, como dbname=campus host=maps user=anna, com os valores que têm espaços entre plicas</translation>
+    </message>
+    <message>
+        <source>%1; skipped (%2 so far)</source>
+        <translation>%1; saltou-se (%2 até agora)</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read as a picture</source>
+        <translation>%1: não se consegue ler como imagem</translation>
+    </message>
 </context>
 <context>
     <name>farol::Options</name>
@@ -1505,6 +1909,17 @@
     <message>
         <source>Where</source>
         <translation>Onde</translation>
+    </message>
+</context>
+<context>
+    <name>farol::ui::DraftStore</name>
+    <message>
+        <source>what you are teaching cannot be kept on disk (%1); it would be lost with the program</source>
+        <translation>o que está a ensinar não se consegue guardar no disco (%1); perder-se-ia com o programa</translation>
+    </message>
+    <message>
+        <source>the folder for what you are teaching cannot be made; it would be lost with the program</source>
+        <translation>não se consegue criar a pasta para o que está a ensinar; perder-se-ia com o programa</translation>
     </message>
 </context>
 <context>
@@ -7436,6 +7851,10 @@ Abra um com Ctrl+O.</translation>
         <source>“%1” is in the library already. Choose another name, or add views to that one.</source>
         <translation>“%1” já está na biblioteca. Escolha outro nome, ou junte vistas a esse.</translation>
     </message>
+    <message>
+        <source>there is no view yet</source>
+        <translation>ainda não há nenhuma fotografia</translation>
+    </message>
 </context>
 <context>
     <name>farol::ui::TeachTry</name>
@@ -8434,6 +8853,10 @@ Ligue a câmara, ou escolha imagens ou uma gravação.</translation>
     <message>
         <source>No trained landmarks: only doors and texts are recognised. Open a library of landmarks to recognise more.</source>
         <translation>Sem pontos de referência treinados: só se reconhecem portas e textos. Abra uma biblioteca de pontos de referência para reconhecer mais.</translation>
+    </message>
+    <message>
+        <source>the folder for recordings cannot be made; choose another one in the settings</source>
+        <translation>não se consegue criar a pasta das gravações; escolha outra nas definições</translation>
     </message>
 </context>
 <context>

@@ -1,5 +1,7 @@
 #include "core/base/database_source.h"
 
+#include "core/base/base_sayings.h"
+
 #include <algorithm>
 #include <cctype>
 #include <map>
@@ -153,11 +155,7 @@ std::string shownSource(const std::string& source) {
 Result<std::string> checkedConnection(const std::string& source) {
     auto words = wordsOf(source);
     if (!words)
-        return Error{
-            ErrorCode::InvalidArgument,
-            "the connection cannot be understood: write PG: and then key=value pairs such as dbname=campus "
-            "host=maps user=anna, values with blanks in single quotes",
-            shownSource(source)};
+        return Error{ErrorCode::InvalidArgument, said(BaseSaying::ConnectionUnclear), shownSource(source)};
     bool bounded = std::any_of(words->begin(), words->end(),
                                [](const Word& word) { return word.first == "connect_timeout"; });
     return "PG:" + source.substr(3) + (bounded ? "" : " connect_timeout=10");

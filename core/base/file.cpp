@@ -1,5 +1,7 @@
 #include "core/base/file.h"
 
+#include "core/base/base_sayings.h"
+
 #include <atomic>
 #include <cerrno>
 #include <charconv>
@@ -35,10 +37,11 @@ namespace {
 
 Result<void> syncPath(const fs::path& path, int flags) {
     int descriptor = ::open(path.c_str(), flags | O_CLOEXEC);
-    if (descriptor < 0) return systemError(errno, "cannot reopen for writing", path.string());
+    if (descriptor < 0) return systemError(errno, said(BaseSaying::NotReopened), path.string());
     int failed = ::fsync(descriptor) != 0 ? errno : 0;
     ::close(descriptor);
-    if (failed != 0 && failed != EINVAL) return systemError(failed, "cannot write to disk", path.string());
+    if (failed != 0 && failed != EINVAL)
+        return systemError(failed, said(BaseSaying::NotWrittenToDisk), path.string());
     return {};
 }
 
@@ -47,12 +50,12 @@ Result<void> fillTemporary(const fs::path& target, const fs::path& temporary, bo
     std::error_code failure;
     if (seed && fs::exists(target, failure)) {
         fs::copy_file(target, temporary, fs::copy_options::overwrite_existing, failure);
-        if (failure) return systemError(failure.value(), "cannot copy before saving", temporary.string());
+        if (failure) return systemError(failure.value(), said(BaseSaying::NotCopied), temporary.string());
     }
     if (auto written = write(temporary); !written) return written;
     if (auto synced = syncPath(temporary, O_RDWR); !synced) return synced;
     fs::rename(temporary, target, failure);
-    if (failure) return systemError(failure.value(), "cannot put the new file in place", target.string());
+    if (failure) return systemError(failure.value(), said(BaseSaying::NotPutInPlace), target.string());
     // The rename itself must survive a power cut; a file system that cannot sync folders is not an error.
     fs::path folder = target.parent_path().empty() ? fs::path(".") : target.parent_path();
     (void)syncPath(folder, O_RDONLY | O_DIRECTORY);
@@ -110,7 +113,7 @@ Result<void> replaceFile(const fs::path& named, bool seed,
     std::error_code failure;
     fs::path target = fs::is_symlink(named, failure) ? fs::weakly_canonical(named, failure) : named;
     if (fs::exists(target, failure) && !fs::is_regular_file(target, failure))
-        return Error{ErrorCode::InvalidArgument, "is no ordinary file; name another one", named.string()};
+        return Error{ErrorCode::InvalidArgument, said(BaseSaying::NoOrdinaryFile), named.string()};
     sweep(target);
     // The extension stays last: GDAL chooses and checks formats by it.
     fs::path temporary = target.parent_path() / (savingMark(target) + std::to_string(::getpid()) + "-" +
@@ -134,9 +137,9 @@ Result<std::string> readFile(const fs::path& path) {
         return Error{ErrorCode::InvalidArgument, "is a folder; a file is wanted", path.string()};
     errno = 0;
     std::ifstream in(path, std::ios::binary);
-    if (!in) return systemError(errno != 0 ? errno : ENOENT, "cannot open", path.string());
+    if (!in) return systemError(errno != 0 ? errno : ENOENT, said(BaseSaying::NotOpened), path.string());
     std::string bytes((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
-    if (in.bad()) return systemError(EIO, "cannot read", path.string());
+    if (in.bad()) return systemError(EIO, said(BaseSaying::NotRead), path.string());
     return bytes;
 }
 

@@ -1,5 +1,6 @@
 #include "core/base/ogr.h"
 
+#include "core/base/base_sayings.h"
 #include "core/base/database_source.h"
 
 #include <gdal_priv.h>
@@ -62,10 +63,10 @@ std::string GdalMessages::text() const {
 }
 
 Error GdalMessages::error(ErrorCode fallback, const std::string& action, const std::string& context) const {
-    std::string said = text();
+    std::string told = text();
     bool full =
-        said.find("disk is full") != std::string::npos || said.find("No space left") != std::string::npos;
-    return {full ? ErrorCode::NoSpace : fallback, said.empty() ? action : action + " (" + said + ")",
+        told.find("disk is full") != std::string::npos || told.find("No space left") != std::string::npos;
+    return {full ? ErrorCode::NoSpace : fallback, told.empty() ? action : action + " (" + told + ")",
             context};
 }
 
@@ -116,9 +117,9 @@ Result<DatasetPtr> createGeoPackage(const std::string& path) {
     registerDrivers();
     GdalMessages messages;
     GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GPKG");
-    if (driver == nullptr) return Error{ErrorCode::Unavailable, "this GDAL has no GeoPackage driver", path};
+    if (driver == nullptr) return Error{ErrorCode::Unavailable, said(BaseSaying::NoGeoPackageDriver), path};
     DatasetPtr dataset(driver->Create(path.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
-    if (dataset == nullptr) return messages.error(ErrorCode::Io, "cannot create the file", path);
+    if (dataset == nullptr) return messages.error(ErrorCode::Io, said(BaseSaying::NotCreated), path);
     return dataset;
 }
 
@@ -126,7 +127,7 @@ Result<void> closeVector(DatasetPtr dataset, const std::string& context) {
     GdalMessages messages;
     dataset->FlushCache();
     dataset.reset();
-    if (messages.failed()) return messages.error(ErrorCode::Io, "cannot finish writing", context);
+    if (messages.failed()) return messages.error(ErrorCode::Io, said(BaseSaying::NotFinished), context);
     return {};
 }
 

@@ -1,3 +1,4 @@
+#include "core/base/base_sayings.h"
 #include "core/base/database_source.h"
 #include "core/base/file.h"
 #include "core/base/ogr.h"
@@ -210,13 +211,13 @@ namespace {
 Result<void> writeAll(GDALDataset& dataset, const BuildingData& data, const std::string& context) {
     GdalMessages messages;
     if (dataset.StartTransaction() != OGRERR_NONE)
-        return messages.error(ErrorCode::Io, "cannot begin to write", context);
+        return messages.error(ErrorCode::Io, said(BaseSaying::NotBegun), context);
     if (auto written = writeLayers(dataset, data, context); !written) {
         dataset.RollbackTransaction();
         return written;
     }
     if (dataset.CommitTransaction() != OGRERR_NONE || messages.failed())
-        return messages.error(ErrorCode::Io, "cannot finish writing", context);
+        return messages.error(ErrorCode::Io, said(BaseSaying::NotFinished), context);
     return {};
 }
 

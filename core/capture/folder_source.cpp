@@ -1,5 +1,6 @@
 #include "core/base/text.h"
 #include "core/capture/picture.h"
+#include "core/capture/sayings.h"
 #include "core/capture/sources.h"
 
 #include <algorithm>
@@ -25,9 +26,9 @@ public:
             auto image = readPicture(path);
             if (!image) {
                 ++m_skipped;
-                tell(SourceEventKind::FrameSkipped, path.filename().string() + " " + image.error().message +
-                                                        "; skipped (" + std::to_string(m_skipped) +
-                                                        " so far)");
+                tell(SourceEventKind::FrameSkipped,
+                     said(Saying::PictureSkipped, {path.filename().string() + " " + image.error().message,
+                                                   std::to_string(m_skipped)}));
                 continue;
             }
             Frame frame;
@@ -74,17 +75,15 @@ Result<std::unique_ptr<FrameSource>> openPictures(const fs::path& path, const So
     }
     fs::directory_iterator entries(path, failure);
     if (failure)
-        return Error{ErrorCode::Io, "the folder cannot be read: " + failure.message(), path.string()};
+        return Error{ErrorCode::Io, said(Saying::FolderNotRead) + ": " + failure.message(), path.string()};
     for (; !failure && entries != fs::directory_iterator(); entries.increment(failure)) {
         std::error_code ignored;
         if (hasPictureName(entries->path()) && !entries->is_directory(ignored))
             pictures.push_back(entries->path());
     }
     if (failure)
-        return Error{ErrorCode::Io, "the folder cannot be read: " + failure.message(), path.string()};
-    if (pictures.empty())
-        return Error{ErrorCode::NotFound, "there are no pictures in this folder (jpg, png, bmp, webp or tif)",
-                     path.string()};
+        return Error{ErrorCode::Io, said(Saying::FolderNotRead) + ": " + failure.message(), path.string()};
+    if (pictures.empty()) return Error{ErrorCode::NotFound, said(Saying::FolderEmpty), path.string()};
     std::sort(pictures.begin(), pictures.end(), [](const fs::path& a, const fs::path& b) {
         return naturalLess(a.filename().string(), b.filename().string());
     });

@@ -1,6 +1,7 @@
 #include "core/capture/frame_source.h"
 
 #include "core/capture/picture.h"
+#include "core/capture/sayings.h"
 #include "core/capture/sources.h"
 
 #include <cmath>
@@ -41,20 +42,12 @@ bool isAddress(const std::string& source) {
 
 Result<std::unique_ptr<FrameSource>> openSource(const std::string& source, const SourceOptions& options) {
     if (auto checked = options.check(); !checked) return checked.error();
-    if (source.empty())
-        return Error{ErrorCode::InvalidArgument,
-                     "no source was named: give camera:0, a video file, a folder of pictures or an address",
-                     "source"};
+    if (source.empty()) return Error{ErrorCode::InvalidArgument, said(Saying::SourceUnnamed), "source"};
     if (startsWith(source, "camera:")) return openCamera(source.substr(7), options);
     if (isAddress(source)) return openAddress(source, options);
     std::error_code failure;
     fs::file_status status = fs::status(source, failure);
-    if (!fs::exists(status))
-        return Error{ErrorCode::NotFound,
-                     "there is no such file or folder (a source is camera:0, a video file, a folder of "
-                     "pictures, or an "
-                     "http or rtsp address)",
-                     source};
+    if (!fs::exists(status)) return Error{ErrorCode::NotFound, said(Saying::SourceMissing), source};
     if (fs::is_directory(status) || hasPictureName(source)) return openPictures(source, options);
     return openVideoFile(source, options);
 }

@@ -1,6 +1,7 @@
 #include "core/capture/picture.h"
 
 #include "core/base/file.h"
+#include "core/capture/sayings.h"
 
 #include <opencv2/imgcodecs.hpp>
 
@@ -21,7 +22,7 @@ bool hasPictureName(const std::filesystem::path& path) {
 }
 
 Result<cv::Mat> decodePicture(const std::string& bytes, const std::string& context) {
-    Error damaged{ErrorCode::Corrupt, "cannot be read as a picture", context};
+    Error damaged{ErrorCode::Corrupt, said(Saying::NoPicture), context};
     if (bytes.empty() || bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()))
         return damaged;
     try {

@@ -1,4 +1,5 @@
 #include "core/base/text.h"
+#include "core/capture/sayings.h"
 #include "core/capture/sources.h"
 
 #include <opencv2/core/utils/logger.hpp>
@@ -146,16 +147,15 @@ public:
 
 private:
     bool reconnect() {
-        tell(SourceEventKind::ConnectionLost, m_name + " gives no more pictures");
+        tell(SourceEventKind::ConnectionLost, said(Saying::StreamLost, {m_name}));
         m_capture.release();
         long long pause = m_options.reconnectDelayMs;
         for (int attempt = 1; m_options.reconnectAttempts < 0 || attempt <= m_options.reconnectAttempts;
              ++attempt) {
             if (!pauseFor(std::chrono::milliseconds(pause))) return false;
-            tell(SourceEventKind::Reconnecting,
-                 m_name + " is tried again (attempt " + std::to_string(attempt) + ")");
+            tell(SourceEventKind::Reconnecting, said(Saying::StreamTried, {m_name, std::to_string(attempt)}));
             if (tryOpen(m_opener, m_capture)) {
-                tell(SourceEventKind::Reconnected, m_name + " is back");
+                tell(SourceEventKind::Reconnected, said(Saying::StreamBack, {m_name}));
                 return true;
             }
             if (attempt < 4) pause *= 2; // up to eight times the first pause
@@ -209,10 +209,7 @@ Result<std::unique_ptr<FrameSource>> openVideoFile(const fs::path& path, const S
     cv::VideoCapture capture;
     bool opened = tryOpen([&](cv::VideoCapture& c) { return c.open(file, cv::CAP_FFMPEG); }, capture) ||
                   tryOpen([&](cv::VideoCapture& c) { return c.open(file, cv::CAP_GSTREAMER); }, capture);
-    if (!opened)
-        return Error{ErrorCode::UnsupportedFormat,
-                     "is neither a picture nor a video that can be opened (tried FFmpeg and GStreamer)",
-                     file};
+    if (!opened) return Error{ErrorCode::UnsupportedFormat, said(Saying::NoVideo), file};
     return std::unique_ptr<FrameSource>(std::make_unique<VideoFileSource>(
         path.filename().string(), std::move(capture), options.framesPerSecond));
 }
@@ -228,9 +225,7 @@ Result<std::unique_ptr<FrameSource>> openAddress(const std::string& address, con
     cv::VideoCapture capture;
     if (!tryOpen(opener, capture))
         return Error{ErrorCode::Unavailable,
-                     "the address does not answer with a video within " +
-                         formatNumber(options.openTimeoutMs / 1000.0) +
-                         " s (tried FFmpeg): is the camera on, and the address right?",
+                     said(Saying::AddressSilent, {formatNumber(options.openTimeoutMs / 1000.0)}),
                      withoutPassword(address)};
     // A recorded video behind an address knows its length, and its end is an end; a stream has none.
     double count = property(capture, cv::CAP_PROP_FRAME_COUNT);
@@ -247,13 +242,9 @@ Result<std::unique_ptr<FrameSource>> openCamera(const std::string& device, const
                   std::all_of(device.begin(), device.end(), [](char c) { return c >= '0' && c <= '9'; });
     bool path = !device.empty() && device.front() == '/';
     if (!number && !path)
-        return Error{ErrorCode::InvalidArgument,
-                     "a camera is named by its number or its device, such as camera:0", "camera:" + device};
+        return Error{ErrorCode::InvalidArgument, said(Saying::CameraUnnamed), "camera:" + device};
     std::string file = number ? "/dev/video" + device : device;
-    Error missing{ErrorCode::Unavailable,
-                  "the camera cannot be opened (tried Video4Linux at " + file +
-                      "): is it plugged in, and not in use by another program?",
-                  "camera:" + device};
+    Error missing{ErrorCode::Unavailable, said(Saying::CameraNotOpened, {file}), "camera:" + device};
     std::error_code failure;
     if (!fs::exists(file, failure)) return missing;
     Opener opener = [file](cv::VideoCapture& c) { return c.open(file, cv::CAP_V4L2); };

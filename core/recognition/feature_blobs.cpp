@@ -1,5 +1,7 @@
 #include "core/recognition/feature_blobs.h"
 
+#include "core/recognition/sayings.h"
+
 #include <array>
 #include <bit>
 #include <cmath>
@@ -37,18 +39,26 @@ float real(std::string_view bytes, std::size_t at) {
     return std::bit_cast<float>(number(bytes, at));
 }
 
-Error damaged(const std::string& what) {
-    return {ErrorCode::Corrupt, what, {}};
+Error damaged(Saying what) {
+    return {ErrorCode::Corrupt, said(what), {}};
 }
 
+/// What may be wrong with the one blob or the other.
+struct BlobSayings {
+    Saying begin, size, length;
+};
+
+constexpr BlobSayings kOfKeypoints{Saying::KeypointsBegin, Saying::KeypointsSize, Saying::KeypointsLength};
+constexpr BlobSayings kOfDescriptors{Saying::DescriptorsBegin, Saying::DescriptorsSize,
+                                     Saying::DescriptorsLength};
+
 /// The number of rows, once mark, width and length fit together.
-Result<std::uint32_t> checkedRows(std::string_view bytes, std::string_view mark, const std::string& what) {
-    if (bytes.size() < kHead || bytes.substr(0, 4) != mark)
-        return damaged("the " + what + " do not begin as they should");
+Result<std::uint32_t> checkedRows(std::string_view bytes, std::string_view mark, const BlobSayings& wrong) {
+    if (bytes.size() < kHead || bytes.substr(0, 4) != mark) return damaged(wrong.begin);
     std::uint64_t rows = number(bytes, 4);
     std::uint64_t width = number(bytes, 8);
-    if (rows > kMostRows || width > kMostColumns) return damaged("the " + what + " have an impossible size");
-    if (bytes.size() != kHead + rows * width) return damaged("the " + what + " are cut off or too long");
+    if (rows > kMostRows || width > kMostColumns) return damaged(wrong.size);
+    if (bytes.size() != kHead + rows * width) return damaged(wrong.length);
     return static_cast<std::uint32_t>(rows);
 }
 
@@ -64,7 +74,7 @@ Result<cv::KeyPoint> keypointAt(std::string_view bytes, std::size_t at) {
     bool sane = std::abs(point.pt.x) < kFar && std::abs(point.pt.y) < kFar && point.size > 0.0F &&
                 point.size < kFar && std::abs(point.angle) <= 720.0F && std::isfinite(point.response) &&
                 point.class_id >= 0 && point.class_id < 256;
-    if (!sane) return damaged("a keypoint has an impossible value");
+    if (!sane) return damaged(Saying::KeypointValue);
     return point;
 }
 
@@ -91,15 +101,14 @@ FeatureBlobs encodeFeatures(const Features& features) {
 }
 
 Result<Features> decodeFeatures(std::string_view keypoints, std::string_view descriptors) {
-    auto points = checkedRows(keypoints, kKeypointMark, "keypoints");
+    auto points = checkedRows(keypoints, kKeypointMark, kOfKeypoints);
     if (!points) return points.error();
-    auto rows = checkedRows(descriptors, kDescriptorMark, "descriptors");
+    auto rows = checkedRows(descriptors, kDescriptorMark, kOfDescriptors);
     if (!rows) return rows.error();
-    if (*points != *rows) return damaged("there are not as many descriptors as keypoints");
-    if (*points > 0 && number(keypoints, 8) != kKeypointBytes)
-        return damaged("the keypoints are of another kind");
+    if (*points != *rows) return damaged(Saying::DescriptorsCount);
+    if (*points > 0 && number(keypoints, 8) != kKeypointBytes) return damaged(Saying::KeypointsOther);
     std::uint32_t width = number(descriptors, 8);
-    if (width < 1 || width > kWidest) return damaged("the descriptors are of another kind");
+    if (width < 1 || width > kWidest) return damaged(Saying::DescriptorsOther);
     Features features;
     features.keypoints.reserve(*points);
     for (std::size_t i = 0; i < *points; ++i) {

@@ -4,6 +4,7 @@
 #include "core/recognition/grey.h"
 #include "core/recognition/other_features.h"
 #include "core/recognition/root_sift.h"
+#include "core/recognition/sayings.h"
 
 #include <algorithm>
 #include <array>
@@ -43,8 +44,7 @@ const Extractor* extractorOf(const std::string& name) {
 Error unknownExtractor(const std::string& name) {
     std::string all;
     for (const Extractor& one : kExtractors) all += (all.empty() ? "" : ", ") + std::string(one.name);
-    return {ErrorCode::InvalidArgument, "there is no feature extractor \"" + name + "\"; there are " + all,
-            "extractor"};
+    return {ErrorCode::InvalidArgument, said(Saying::ExtractorUnknown, {name, all}), "extractor"};
 }
 
 } // namespace
@@ -56,15 +56,15 @@ Result<void> ExtractorOptions::check() const {
     const Extractor* known = extractorOf(name);
     if (known == nullptr) return unknownExtractor(name);
     if (version != known->version)
-        return wrong("version " + std::to_string(version) + " of " + name + " is not known, only " +
-                         std::to_string(known->version),
-                     "extractor");
+        return wrong(
+            said(Saying::ExtractorVersion, {std::to_string(version), name, std::to_string(known->version)}),
+            "extractor");
     if (workingLongSide < 64 || workingLongSide > 4096)
-        return wrong("the working size must be between 64 and 4096 pixels", "workingLongSide");
+        return wrong(said(Saying::ExtractorSize), "workingLongSide");
     if (maxKeypoints < 10 || maxKeypoints > 20000)
-        return wrong("the number of keypoints must be between 10 and 20000", "maxKeypoints");
+        return wrong(said(Saying::ExtractorKeypoints), "maxKeypoints");
     if (!(contrastThreshold > 0.0 && contrastThreshold < 1.0))
-        return wrong("the contrast threshold must be between 0 and 1", "contrastThreshold");
+        return wrong(said(Saying::ExtractorContrast), "contrastThreshold");
     return {};
 }
 

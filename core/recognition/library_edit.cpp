@@ -1,5 +1,6 @@
 #include "core/recognition/library_edit.h"
 
+#include "core/recognition/sayings.h"
 #include "core/recognition/training.h"
 
 #include <algorithm>
@@ -10,7 +11,7 @@ namespace farol::recognition {
 namespace {
 
 Error wrong(ErrorCode code, const std::string& message, const TemplateId& id) {
-    return {code, message, "template " + id.value};
+    return {code, message, said(Saying::TemplateNamed, {id.value})};
 }
 
 /// The features anew: the views that other views are computed from may have gone, or the kind is another.
@@ -34,10 +35,8 @@ Result<std::pair<std::vector<View>, std::vector<View>>> parted(const Template& e
     std::vector<View> rest, taken;
     for (std::size_t i = 0; i < entry.views.size(); ++i)
         (chosen(views, i) ? taken : rest).push_back(entry.views[i]);
-    if (taken.empty()) return wrong(ErrorCode::InvalidArgument, "no view is chosen", entry.id);
-    if (rest.empty())
-        return wrong(ErrorCode::InvalidArgument, "a template needs at least one view; delete it instead",
-                     entry.id);
+    if (taken.empty()) return wrong(ErrorCode::InvalidArgument, said(Saying::NoViewChosen), entry.id);
+    if (rest.empty()) return wrong(ErrorCode::InvalidArgument, said(Saying::LastView), entry.id);
     return std::pair(std::move(rest), std::move(taken));
 }
 
@@ -62,25 +61,21 @@ void apply(LandmarkLibrary& library, const LibraryStep& step) {
 }
 
 Result<LibraryStep> insertion(const LandmarkLibrary& library, Template fresh) {
-    if (fresh.id.empty())
-        return wrong(ErrorCode::InvalidArgument, "a template needs a name of its own", fresh.id);
+    if (fresh.id.empty()) return wrong(ErrorCode::InvalidArgument, said(Saying::NameMissing), fresh.id);
     if (library.find(fresh.id) != nullptr)
-        return wrong(ErrorCode::Conflict, "this name is taken by another template", fresh.id);
-    if (fresh.views.empty())
-        return wrong(ErrorCode::InvalidArgument, "a template needs at least one view", fresh.id);
+        return wrong(ErrorCode::Conflict, said(Saying::NameTaken), fresh.id);
+    if (fresh.views.empty()) return wrong(ErrorCode::InvalidArgument, said(Saying::NoView), fresh.id);
     return LibraryStep{{library.templates.size(), std::nullopt, std::move(fresh)}};
 }
 
 Result<LibraryStep> change(const LandmarkLibrary& library, std::size_t index, Template after) {
     const Template& before = library.templates[index];
-    if (after.id.empty())
-        return wrong(ErrorCode::InvalidArgument, "a template needs a name of its own", before.id);
+    if (after.id.empty()) return wrong(ErrorCode::InvalidArgument, said(Saying::NameMissing), before.id);
     if (after.id != before.id && library.find(after.id) != nullptr)
-        return wrong(ErrorCode::Conflict, "this name is taken by another template", after.id);
+        return wrong(ErrorCode::Conflict, said(Saying::NameTaken), after.id);
     for (const auto& size : {after.widthM, after.heightM})
         if (size && !(*size > 0.0 && *size < 1000.0))
-            return wrong(ErrorCode::InvalidArgument, "a real size must be a positive number of metres",
-                         after.id);
+            return wrong(ErrorCode::InvalidArgument, said(Saying::SizeNotPositive), after.id);
     if (after.kind != before.kind) after.unknownKind.clear();
     if ((after.kind == Kind::Place) != (before.kind == Kind::Place)) {
         auto again = trainedAgain(library, after);
@@ -93,11 +88,9 @@ Result<LibraryStep> change(const LandmarkLibrary& library, std::size_t index, Te
 Result<LibraryStep> merged(const LandmarkLibrary& library, std::size_t into, std::size_t from) {
     const Template& kept = library.templates[into];
     const Template& gone = library.templates[from];
-    if (into == from)
-        return wrong(ErrorCode::InvalidArgument, "a template cannot be merged with itself", kept.id);
+    if (into == from) return wrong(ErrorCode::InvalidArgument, said(Saying::MergedWithItself), kept.id);
     if ((kept.kind == Kind::Place) != (gone.kind == Kind::Place))
-        return wrong(ErrorCode::InvalidArgument,
-                     "a place and an object cannot be one template; choose two of the same sort", kept.id);
+        return wrong(ErrorCode::InvalidArgument, said(Saying::MergedPlaceAndObject), kept.id);
     Template after = kept;
     after.views.insert(after.views.end(), gone.views.begin(), gone.views.end());
     if (!after.widthM) after.widthM = gone.widthM;

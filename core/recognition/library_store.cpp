@@ -1,9 +1,11 @@
+#include "core/base/base_sayings.h"
 #include "core/base/file.h"
 #include "core/base/log.h"
 #include "core/base/ogr.h"
 #include "core/base/text.h"
 #include "core/recognition/feature_blobs.h"
 #include "core/recognition/landmark_library.h"
+#include "core/recognition/sayings.h"
 
 #include <ogrsf_frmts.h>
 
@@ -120,13 +122,10 @@ Result<void> checkSchema(GDALDataset& dataset, const std::string& path) {
         int schema = 0;
         auto [next, failed] = std::from_chars(value.data(), value.data() + value.size(), schema);
         if (failed != std::errc() || next != value.data() + value.size())
-            return Error{ErrorCode::Corrupt, "the library's version is not a number: \"" + value + "\"",
-                         path};
+            return Error{ErrorCode::Corrupt, said(Saying::LibraryVersion, {value}), path};
         if (schema > kSchema)
             return Error{ErrorCode::UnsupportedFormat,
-                         "the landmark library is of a later version (" + value +
-                             ") than this program knows (" + std::to_string(kSchema) + "); update Farol",
-                         path};
+                         said(Saying::LibraryLater, {value, std::to_string(kSchema)}), path};
     }
     return {};
 }
@@ -136,10 +135,11 @@ Result<void> readTemplates(OGRLayer& layer, const std::string& path, LandmarkLib
     for (auto& feature : layer) {
         Template entry;
         entry.id = TemplateId(text(*feature, "template"));
-        std::string where = path + ", layer templates, row " + std::to_string(feature->GetFID());
-        if (entry.id.empty()) return Error{ErrorCode::Corrupt, "a template has no name", where};
+        std::string where =
+            said(Saying::RowOf, {path + ", layer templates", std::to_string(feature->GetFID())});
+        if (entry.id.empty()) return Error{ErrorCode::Corrupt, said(Saying::TemplateNoName), where};
         if (!names.insert(entry.id.value).second)
-            return Error{ErrorCode::Corrupt, "template " + entry.id.value + " stands twice", where};
+            return Error{ErrorCode::Corrupt, said(Saying::TemplateTwice, {entry.id.value}), where};
         std::string kind = text(*feature, "kind");
         auto known = kindFromName(kind);
         entry.kind = known.value_or(Kind::Other);
@@ -166,7 +166,8 @@ struct StoredView {
 StoredView storedView(OGRFeature& feature, const std::string& path, int ordinal) {
     StoredView stored;
     stored.templateName = text(feature, "template");
-    stored.where = path + ", template " + stored.templateName + ", view " + std::to_string(ordinal);
+    stored.where = said(Saying::ViewOf,
+                        {said(Saying::TemplateOf, {path, stored.templateName}), std::to_string(ordinal)});
     stored.extractor = text(feature, "extractor");
     stored.parameters = text(feature, "extractor_parameters");
     stored.keypoints = blob(feature, "keypoints");
@@ -183,41 +184,34 @@ StoredView storedView(OGRFeature& feature, const std::string& path, int ordinal)
 Result<void> checkExtractor(const StoredView& stored, std::optional<ExtractorOptions>& expected) {
     auto options = extractorFrom(stored.extractor, stored.parameters);
     if (!options)
-        return Error{ErrorCode::Corrupt,
-                     "the extractor's parameters cannot be read: \"" + stored.parameters + "\"",
-                     stored.where};
+        return Error{ErrorCode::Corrupt, said(Saying::ExtractorNotRead, {stored.parameters}), stored.where};
     if (!expected) {
         if (auto known = options->check(); !known)
             return Error{ErrorCode::Conflict,
-                         "the library was trained with " + options->description() + ", but " +
-                             known.error().message + "; train it again from its photographs",
+                         said(Saying::ExtractorUnusable, {options->description(), known.error().message}),
                          stored.where};
         expected = options;
     }
     if (*options == *expected) return {};
     return Error{ErrorCode::Conflict,
-                 "the library was trained with " + options->description() + ", but " +
-                     expected->description() +
-                     " is in use; train it again from its photographs, or choose its own extractor",
+                 said(Saying::ExtractorOther, {options->description(), expected->description()}),
                  stored.where};
 }
 
 Result<View> finishedView(StoredView stored) {
     auto damaged = [&](const std::string& what) {
-        return Error{ErrorCode::Corrupt,
-                     what + "; the library is damaged: restore it or train this view again", stored.where};
+        return Error{ErrorCode::Corrupt, said(Saying::ViewDamaged, {what}), stored.where};
     };
     auto outline = outlineFrom(stored.outline);
-    if (!outline) return damaged("the outline \"" + stored.outline + "\" is not eight numbers");
+    if (!outline) return damaged(said(Saying::ViewOutline, {stored.outline}));
     stored.view.outline = *outline;
     auto features = decodeFeatures(stored.keypoints, stored.descriptors);
     if (!features) return damaged(features.error().message);
     if (features->descriptors.rows > 0 && features->descriptors.cols != descriptorBytes(stored.extractor))
-        return damaged("the descriptors are not of the width that " + stored.extractor + " makes");
-    if (stored.view.size.width < 1 || stored.view.size.height < 1)
-        return damaged("the photograph's size is missing");
+        return damaged(said(Saying::ViewWidth, {stored.extractor}));
+    if (stored.view.size.width < 1 || stored.view.size.height < 1) return damaged(said(Saying::ViewSize));
     if (checksumText(stored.view, {stored.keypoints, stored.descriptors}) != stored.checksum)
-        return damaged("the checksum does not fit the photograph and its features");
+        return damaged(said(Saying::ViewChecksum));
     stored.view.features = std::move(*features);
     return std::move(stored.view);
 }
@@ -226,7 +220,7 @@ Result<View> finishedView(StoredView stored) {
 Result<View> photographOf(StoredView stored) {
     auto outline = outlineFrom(stored.outline);
     if (!outline || stored.view.jpeg.empty())
-        return Error{ErrorCode::Corrupt, "the photograph or its outline is missing", stored.where};
+        return Error{ErrorCode::Corrupt, said(Saying::PhotographMissing), stored.where};
     stored.view.outline = *outline;
     return std::move(stored.view);
 }
@@ -243,8 +237,7 @@ Result<void> readViews(OGRLayer& layer, const std::string& path,
         StoredView stored = storedView(*feature, path, ordinals[text(*feature, "template")]++);
         auto owner = byName.find(stored.templateName);
         if (owner == byName.end())
-            return Error{ErrorCode::Corrupt, "a view belongs to a template that is not in the library",
-                         stored.where};
+            return Error{ErrorCode::Corrupt, said(Saying::ViewWithoutTemplate), stored.where};
         if (want == Want::Features)
             if (auto same = checkExtractor(stored, expected); !same) return same;
         auto view =
@@ -266,14 +259,14 @@ Result<OGRLayer*> freshLayer(GDALDataset& dataset, const char* name, std::initia
     GdalMessages messages;
     for (int i = 0; i < dataset.GetLayerCount(); ++i)
         if (std::string(dataset.GetLayer(i)->GetName()) == name && dataset.DeleteLayer(i) != OGRERR_NONE)
-            return messages.error(ErrorCode::Io, "cannot replace the layer", path + ", layer " + name);
+            return messages.error(ErrorCode::Io, said(Saying::LayerNotReplaced), path + ", layer " + name);
     OGRLayer* layer = dataset.CreateLayer(name, nullptr, wkbNone);
     if (layer == nullptr)
-        return messages.error(ErrorCode::Io, "cannot make the layer", path + ", layer " + name);
+        return messages.error(ErrorCode::Io, said(Saying::LayerNotMade), path + ", layer " + name);
     for (const Field& field : fields) {
         OGRFieldDefn definition(field.name, field.type);
         if (layer->CreateField(&definition) != OGRERR_NONE)
-            return messages.error(ErrorCode::Io, std::string("cannot make the field ") + field.name,
+            return messages.error(ErrorCode::Io, said(Saying::FieldNotMade, {field.name}),
                                   path + ", layer " + name);
     }
     return layer;
@@ -292,18 +285,16 @@ Result<void> writeSchema(GDALDataset& dataset, const std::string& path) {
         if (text(*feature, "key") == kSchemaKey) old.push_back(feature->GetFID());
     for (GIntBig row : old)
         if (layer->DeleteFeature(row) != OGRERR_NONE)
-            return messages.error(ErrorCode::Io, "cannot replace the version", path + ", layer farol");
+            return messages.error(ErrorCode::Io, said(Saying::VersionNotReplaced), path + ", layer farol");
     OGRFeature feature(layer->GetLayerDefn());
     int key = feature.GetFieldIndex("key");
     int value = feature.GetFieldIndex("value");
     if (key < 0 || value < 0)
-        return Error{ErrorCode::Conflict,
-                     "the layer has no fields key and value: this is not one of Farol's files",
-                     path + ", layer farol"};
+        return Error{ErrorCode::Conflict, said(Saying::LayerNotFarols), path + ", layer farol"};
     feature.SetField(key, kSchemaKey);
     feature.SetField(value, std::to_string(kSchema).c_str());
     if (layer->CreateFeature(&feature) != OGRERR_NONE)
-        return messages.error(ErrorCode::Io, "cannot write", path + ", layer farol");
+        return messages.error(ErrorCode::Io, said(BaseSaying::NotWritten), path + ", layer farol");
     return {};
 }
 
@@ -317,7 +308,8 @@ Result<void> writeTemplate(OGRLayer& layer, const Template& entry, const std::st
     if (entry.widthM) feature.SetField("width_m", *entry.widthM);
     if (entry.heightM) feature.SetField("height_m", *entry.heightM);
     if (layer.CreateFeature(&feature) != OGRERR_NONE)
-        return messages.error(ErrorCode::Io, "cannot write", path + ", template " + entry.id.value);
+        return messages.error(ErrorCode::Io, said(BaseSaying::NotWritten),
+                              said(Saying::TemplateOf, {path, entry.id.value}));
     return {};
 }
 
@@ -340,7 +332,8 @@ Result<void> writeView(OGRLayer& layer, const LandmarkLibrary& library, const Te
     setBlob("keypoints", blobs.keypoints);
     setBlob("descriptors", blobs.descriptors);
     if (layer.CreateFeature(&feature) != OGRERR_NONE)
-        return messages.error(ErrorCode::Io, "cannot write", path + ", a view of template " + entry.id.value);
+        return messages.error(ErrorCode::Io, said(BaseSaying::NotWritten),
+                              said(Saying::SomeViewOf, {path, entry.id.value}));
     return {};
 }
 
@@ -386,14 +379,13 @@ Result<void> writeInto(const std::filesystem::path& temporary, const LandmarkLib
         return error;
     }
     if (std::string((*dataset)->GetDriverName()) != "GPKG")
-        return Error{ErrorCode::UnsupportedFormat,
-                     "is not a GeoPackage, and a library is kept in one (*.gpkg)", path};
+        return Error{ErrorCode::UnsupportedFormat, said(Saying::LibraryNoGeoPackage), path};
     GdalMessages messages;
     if ((*dataset)->StartTransaction() != OGRERR_NONE)
-        return messages.error(ErrorCode::Io, "cannot begin to write", path);
+        return messages.error(ErrorCode::Io, said(BaseSaying::NotBegun), path);
     if (auto written = writeLayers(**dataset, library, path); !written) return written;
     if ((*dataset)->CommitTransaction() != OGRERR_NONE)
-        return messages.error(ErrorCode::Io, "cannot finish writing", path);
+        return messages.error(ErrorCode::Io, said(BaseSaying::NotFinished), path);
     return closeVector(std::move(*dataset), path);
 }
 
@@ -406,12 +398,11 @@ Result<LandmarkLibrary> load(const std::string& path, const std::optional<Extrac
     OGRLayer* templates = (*dataset)->GetLayerByName(kTemplates);
     OGRLayer* views = (*dataset)->GetLayerByName(kViews);
     if (templates == nullptr || views == nullptr)
-        return Error{ErrorCode::NotFound, "holds no landmark library (no layers templates and views)", path};
+        return Error{ErrorCode::NotFound, said(Saying::LibraryNone), path};
     LandmarkLibrary library;
     if (auto read = readTemplates(*templates, path, library); !read) return read.error();
     if (auto read = readViews(*views, path, wanted, want, library); !read) return read.error();
-    if (messages.failed())
-        return messages.error(ErrorCode::Corrupt, "the landmark library cannot be read", path);
+    if (messages.failed()) return messages.error(ErrorCode::Corrupt, said(Saying::LibraryNotRead), path);
     return library;
 }
 
@@ -431,7 +422,7 @@ Result<void> saveLibrary(const LandmarkLibrary& library, const std::string& path
             return writeInto(temporary, library, path);
         });
     } catch (const std::exception& problem) {
-        return Error{ErrorCode::Io, std::string("cannot save the library: ") + problem.what(), path};
+        return Error{ErrorCode::Io, said(Saying::LibraryNotSaved, {problem.what()}), path};
     }
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/capture/picture.h"
 #include "core/recognition/grey.h"
+#include "core/recognition/sayings.h"
 #include "core/recognition/view_poses.h"
 
 #include <opencv2/imgcodecs.hpp>
@@ -25,7 +26,7 @@ int marginOf(const FeatureExtractor& extractor) {
 }
 
 Error wrong(const std::string& message, const TrainingRequest& request) {
-    return {ErrorCode::InvalidArgument, message, "template " + request.id.value};
+    return {ErrorCode::InvalidArgument, message, said(Saying::TemplateNamed, {request.id.value})};
 }
 
 Quad wholePicture(const cv::Mat& image) {
@@ -36,12 +37,11 @@ Quad wholePicture(const cv::Mat& image) {
 Result<Quad> checkedOutline(Quad outline, const cv::Mat& image, const TrainingRequest& request) {
     constexpr double kSlack = 2.0;
     for (ImagePoint& p : outline) {
-        if (!std::isfinite(p.x) || !std::isfinite(p.y))
-            return wrong("the outline has a corner that is no number", request);
+        if (!std::isfinite(p.x) || !std::isfinite(p.y)) return wrong(said(Saying::OutlineNumbers), request);
         if (p.x < -kSlack || p.y < -kSlack || p.x > image.cols + kSlack || p.y > image.rows + kSlack)
-            return wrong("the outline leaves the picture, which is " + std::to_string(image.cols) + " x " +
-                             std::to_string(image.rows) + " pixels",
-                         request);
+            return wrong(
+                said(Saying::OutlineLeaves, {std::to_string(image.cols), std::to_string(image.rows)}),
+                request);
         p.x = std::clamp(p.x, 0.0, static_cast<double>(image.cols));
         p.y = std::clamp(p.y, 0.0, static_cast<double>(image.rows));
     }
@@ -51,22 +51,14 @@ Result<Quad> checkedOutline(Quad outline, const cv::Mat& image, const TrainingRe
         const ImagePoint& b = outline[(i + 1) % 4];
         const ImagePoint& c = outline[(i + 2) % 4];
         double z = (b.x - a.x) * (c.y - b.y) - (b.y - a.y) * (c.x - b.x);
-        if (std::abs(z) < 1e-6 || z * turns < 0.0)
-            return wrong(
-                "the outline's four corners must follow the object's border clockwise from its top left, "
-                "without crossing",
-                request);
+        if (std::abs(z) < 1e-6 || z * turns < 0.0) return wrong(said(Saying::OutlineOrder), request);
         turns = z;
     }
-    if (turns < 0.0)
-        return wrong(
-            "the outline's corners run counter-clockwise; give them clockwise from the object's top left",
-            request);
+    if (turns < 0.0) return wrong(said(Saying::OutlineTurned), request);
     ImageBox box = boundingBox(outline);
     if (box.width < 16.0 || box.height < 16.0)
-        return wrong("the outline is only " + std::to_string(static_cast<int>(box.width)) + " x " +
-                         std::to_string(static_cast<int>(box.height)) +
-                         " pixels; photograph the object from nearer",
+        return wrong(said(Saying::OutlineSmall, {std::to_string(static_cast<int>(box.width)),
+                                                 std::to_string(static_cast<int>(box.height))}),
                      request);
     return outline;
 }
@@ -178,25 +170,22 @@ bool wantsPoses(const Template* known, const Quad& outline) {
 }
 
 Result<void> checkRequest(const TrainingRequest& request, const Template* known) {
-    if (request.id.empty()) return wrong("a template needs a name", request);
+    if (request.id.empty()) return wrong(said(Saying::NameNeeded), request);
     for (const auto& size : {request.widthM, request.heightM})
         if (size && !(std::isfinite(*size) && *size > 0.0 && *size < 1000.0))
-            return wrong("a real size must be a positive number of metres", request);
+            return wrong(said(Saying::SizeNotPositive), request);
     if (known != nullptr && known->kind != request.kind)
-        return wrong("this template is of kind " + std::string(kindName(known->kind)) + ", not " +
-                         std::string(kindName(request.kind)) + "; use another template name",
+        return wrong(said(Saying::KindOther,
+                          {std::string(kindName(known->kind)), std::string(kindName(request.kind))}),
                      request);
     return {};
 }
 
 Result<void> checkCount(std::size_t found, std::size_t wanted, const TrainingRequest& request) {
     if (found >= wanted) return {};
-    Error few =
-        wrong("only " + std::to_string(found) + " features were found" +
-                  (request.kind == Kind::Place ? " in the picture" : " inside the outline") + "; at least " +
-                  std::to_string(wanted) +
-                  " are needed: take a sharp, well lit photograph of something with detail, from nearer",
-              request);
+    Error few = wrong(said(request.kind == Kind::Place ? Saying::FewInPicture : Saying::FewInOutline,
+                           {std::to_string(found), std::to_string(wanted)}),
+                      request);
     few.code = ErrorCode::NotFound;
     return few;
 }
@@ -211,10 +200,10 @@ std::string asJpeg(const std::string& bytes, const cv::Mat& image) {
 
 Result<View> makeView(const LandmarkLibrary& library, const TrainingRequest& request, const Template* known,
                       const std::string& pictureBytes, const std::optional<Quad>& outline) {
-    auto image = capture::decodePicture(pictureBytes, "template " + request.id.value);
+    auto image = capture::decodePicture(pictureBytes, said(Saying::TemplateNamed, {request.id.value}));
     if (!image)
-        return Error{ErrorCode::Corrupt, "the photograph cannot be read as a picture",
-                     "template " + request.id.value};
+        return Error{ErrorCode::Corrupt, said(Saying::PhotographNoPicture),
+                     said(Saying::TemplateNamed, {request.id.value})};
     View view;
     view.size = {image->cols, image->rows};
     view.outline = wholePicture(*image);
@@ -263,7 +252,7 @@ Result<void> addView(LandmarkLibrary& library, const TrainingRequest& request,
         known->views.push_back(std::move(*view));
         return {};
     } catch (const std::exception& problem) {
-        return wrong(std::string("the photograph cannot be used: ") + problem.what(), request);
+        return wrong(said(Saying::PhotographUnusable, {problem.what()}), request);
     }
 }
 
@@ -283,7 +272,8 @@ Result<Retrained> retrain(const LandmarkLibrary& photographs, const ExtractorOpt
             const View& view = entry.views[i];
             if (auto added = addView(fresh.library, request, view.jpeg, view.outline); !added)
                 fresh.refused.push_back({added.error().code, added.error().message,
-                                         "template " + entry.id.value + ", view " + std::to_string(i)});
+                                         said(Saying::ViewOf, {said(Saying::TemplateNamed, {entry.id.value}),
+                                                               std::to_string(i)})});
             if (progress) progress(++done, photographs.viewCount());
         }
         if (fresh.library.find(entry.id) != nullptr)

@@ -2,6 +2,7 @@
 
 #include "core/base/database_source.h"
 #include "core/base/log.h"
+#include "core/capture/sayings.h"
 #include "core/session/inbox.h"
 #include "core/session/map_words.h"
 
@@ -116,9 +117,9 @@ void NavigationSession::Impl::runCapture() {
             while (capture(messages)) {
             }
         if (source->live() && !inbox.stopped())
-            failure = source->description() + " delivers no more pictures";
+            failure = said(capture::Saying::StreamEnded, {source->description()});
     } catch (const std::exception& exception) {
-        failure = source->description() + " broke down: " + exception.what();
+        failure = said(capture::Saying::SourceBroke, {source->description(), exception.what()});
     }
     source->onEvent({});
     inbox.finish(std::move(messages), std::move(failure));

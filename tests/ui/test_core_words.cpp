@@ -1,9 +1,16 @@
 // What core says of a map, read on the Map page in every language.
 
+#include "core/base/base_sayings.h"
+#include "core/base/file.h"
 #include "core/building/checks.h"
 #include "core/building/geopackage.h"
 #include "core/building/import/importer.h"
 #include "core/building/info.h"
+#include "core/capture/frame_source.h"
+#include "core/capture/sayings.h"
+#include "core/recognition/landmark_library.h"
+#include "core/recognition/sayings.h"
+#include "core/recognition/training.h"
 #include "tests/ui/hand_made.h"
 #include "ui/convert/convert.h"
 #include "ui/curation/map_page.h"
@@ -20,6 +27,7 @@
 #include <QTest>
 #include <QTreeView>
 
+#include <cerrno>
 #include <set>
 
 namespace farol::ui {
@@ -37,6 +45,8 @@ private Q_SLOTS:
     void cleanup() { installTranslation(QStringLiteral("en")); }
     void everySentenceIsTranslated_data() { addLanguages(); }
     void everySentenceIsTranslated();
+    void everySayingIsTranslated_data() { addLanguages(); }
+    void everySayingIsTranslated();
     void englishIsAsCoreHasIt();
     void placesAreFilledInTheReadersWay();
     void theMapCheckIsReadWholly_data() { addLanguages(); }
@@ -45,10 +55,13 @@ private Q_SLOTS:
     void whyAMapDoesNotOpenIsReadInPortuguese();
     void problemsKeepTheirPlaces();
     void aPlaceThatIsNotFoundIsToldInPortuguese();
+    void everySayingIsKnownAgain();
+    void librariesAndSourcesAreToldInPortuguese();
 
 private:
     static void addLanguages();
     static void readEach(const building::Building& map, const std::vector<Finding>& findings);
+    static std::vector<const char*> allSayings();
     static QString englishIn(const QString& text, const Finding* finding);
     static QString translated(const SentenceText& row, int count) {
         return QCoreApplication::translate("core", row.text, nullptr, count);
@@ -87,6 +100,81 @@ void CoreWordsTest::everySentenceIsTranslated() {
             QVERIFY2(!text.endsWith(QLatin1Char('.')), qPrintable(text));
         }
     }
+}
+
+/// All that modules other than that of maps say.
+std::vector<const char*> CoreWordsTest::allSayings() {
+    std::vector<const char*> all = baseSayings();
+    for (const std::vector<const char*>& more : {capture::sayings(), recognition::sayings()})
+        all.insert(all.end(), more.begin(), more.end());
+    return all;
+}
+
+void CoreWordsTest::everySayingIsTranslated() {
+    QFETCH(QString, language);
+    QVERIFY(installTranslation(language));
+    std::set<std::string> texts;
+    for (const SentenceText& row : allSentences()) texts.insert(row.text);
+    for (const char* english : allSayings()) {
+        QVERIFY2(texts.insert(english).second, english); // stands in one table only
+        const QString text = QCoreApplication::translate("core", english);
+        QVERIFY2(text != QString::fromUtf8(english), english);
+        QVERIFY2(placesOf(text) == placesOf(QString::fromUtf8(english)), qPrintable(text));
+        QVERIFY2(text.front() == text.front().toLower() || language == QLatin1String("de"), qPrintable(text));
+        QVERIFY2(!text.endsWith(QLatin1Char('.')), qPrintable(text));
+    }
+}
+
+void CoreWordsTest::everySayingIsKnownAgain() {
+    QVERIFY(installTranslation(QStringLiteral("pt")));
+    for (const char* english : allSayings()) {
+        const std::vector<std::string> places{"x7", "y8", "z9"};
+        QString wanted = toQString(withPlaces(toUtf8(QCoreApplication::translate("core", english)), places));
+        if (!wanted.endsWith(QLatin1Char('?'))) wanted += QLatin1Char('.');
+        wanted[0] = wanted[0].toUpper();
+        const bool frame = QRegularExpression(QStringLiteral("^(%1, .*%2|template %1)$"))
+                               .match(QString::fromUtf8(english))
+                               .hasMatch();
+        if (!frame) QCOMPARE(CoreWords::problem({ErrorCode::Io, withPlaces(english, places), ""}), wanted);
+    }
+}
+
+void CoreWordsTest::librariesAndSourcesAreToldInPortuguese() {
+    QVERIFY(installTranslation(QStringLiteral("pt")));
+    QTemporaryDir folder;
+    const std::string missing = toUtf8(folder.filePath(QStringLiteral("no.mp4")));
+    QCOMPARE(
+        CoreWords::problem(capture::openSource(missing).error()),
+        toQString(missing) +
+            QStringLiteral(": não existe esse ficheiro nem essa pasta (uma fonte é camera:0, um ficheiro "
+                           "de vídeo, uma pasta de imagens ou um endereço http ou rtsp)."));
+    QCOMPARE(CoreWords::problem(capture::openSource(toUtf8(folder.path())).error()),
+             folder.path() + QStringLiteral(": não há imagens nesta pasta (jpg, png, bmp, webp ou tif)."));
+    QCOMPARE(CoreWords::problem(recognition::loadLibrary(missing).error()),
+             toQString(missing) + QStringLiteral(": não existe esse ficheiro."));
+    recognition::LandmarkLibrary library;
+    recognition::TrainingRequest request;
+    request.id = TemplateId("door-1");
+    request.kind = Kind::Door;
+    QCOMPARE(CoreWords::problem(recognition::addView(library, request, "x", std::nullopt).error()),
+             QStringLiteral("ponto de referência door-1: não se consegue ler a fotografia como imagem."));
+    QCOMPARE(
+        CoreWords::problem({ErrorCode::Corrupt,
+                            "the keypoints are of another kind; the library is damaged: restore it or "
+                            "train this view again",
+                            "l.gpkg, template door-1, view 2"}),
+        QStringLiteral("l.gpkg, ponto de referência door-1, fotografia 2: os pontos-chave são de outro "
+                       "tipo; a biblioteca está danificada: reponha-a ou treine de novo esta fotografia."));
+    QCOMPARE(CoreWords::problem({ErrorCode::InvalidArgument,
+                                 "this template is of kind door, not place; use another template name", ""}),
+             QStringLiteral("Este ponto de referência é do tipo %1, não %2; use outro nome.")
+                 .arg(Phrasebook::kindWord(Kind::Door), Phrasebook::kindWord(Kind::Place)));
+    QCOMPARE(CoreWords::problem(systemError(EACCES, "cannot write to disk", "a.gpkg")),
+             QStringLiteral("a.gpkg: não se consegue escrever no disco: permissão recusada."));
+    QCOMPARE(CoreWords::message("7.jpg cannot be read as a picture; skipped (1 so far)"),
+             QStringLiteral("7.jpg: não se consegue ler como imagem; saltou-se (1 até agora)"));
+    QCOMPARE(CoreWords::message("camera:0 is back"), QStringLiteral("camera:0 está de volta"));
+    QCOMPARE(CoreWords::message("nobody knows this one"), QStringLiteral("nobody knows this one"));
 }
 
 void CoreWordsTest::englishIsAsCoreHasIt() {

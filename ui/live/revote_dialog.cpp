@@ -1,6 +1,7 @@
 #include "ui/live/revote_dialog.h"
 
 #include "ui/convert/convert.h"
+#include "ui/models/core_words.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>
@@ -109,7 +110,7 @@ void RevoteDialog::start() {
 
 void RevoteDialog::showResult(const Result<Revote>& result) {
     m_table->setRowCount(0);
-    if (!result) return m_summary->setText(toQString(result.error().text()));
+    if (!result) return m_summary->setText(CoreWords::problem(result.error()));
     const int share =
         result->pictures > 0 ? static_cast<int>(std::lround(100.0 * result->same / result->pictures)) : 100;
     m_summary->setText(

@@ -78,7 +78,7 @@ void Walk::loadLibrary(const QString& path) {
                          if (job != m_libraryJob) return;
                          if (!result) {
                              m_playWanted = false;
-                             Q_EMIT problem(Problem::Library, toQString(result.error().text()));
+                             Q_EMIT problem(Problem::Library, CoreWords::problem(result.error()));
                              return;
                          }
                          endSession();
@@ -207,9 +207,10 @@ void Walk::open(bool stepOnly) {
     const auto work = [open = m_openSource, options, sourceOptions, building = m_building,
                        library = m_library, handlers = handlersFor(serial), folder = m_recording]() -> Made {
         if (!folder.isEmpty() && !QDir().mkpath(QFileInfo(folder).absolutePath()))
-            return Error{ErrorCode::Io,
-                         "the folder for recordings cannot be made; choose another one in the settings",
-                         toUtf8(QFileInfo(folder).absolutePath())};
+            return Error{
+                ErrorCode::Io,
+                toUtf8(tr("the folder for recordings cannot be made; choose another one in the settings")),
+                toUtf8(QFileInfo(folder).absolutePath())};
         auto source = open(options.sourceName, sourceOptions);
         if (!source) return source.error();
         return session::NavigationSession::create(building, library, std::move(*source), options, handlers);
@@ -237,7 +238,7 @@ session::SessionHandlers Walk::handlersFor(std::uint64_t serial) {
         const QString words = text == session::kNoTrainedLandmarks
                                   ? tr("No trained landmarks: only doors and texts are recognised. Open a "
                                        "library of landmarks to recognise more.")
-                                  : toQString(text);
+                                  : CoreWords::message(text);
         post([this, words] { Q_EMIT remark(words); });
     };
     handlers.state = [this, post](session::RunState state) {
@@ -262,7 +263,7 @@ void Walk::opened(std::uint64_t serial, Result<std::unique_ptr<session::Navigati
     tellBusy();
     if (!result) {
         m_recording.clear();
-        Q_EMIT problem(Problem::Source, toQString(result.error().text()));
+        Q_EMIT problem(Problem::Source, CoreWords::problem(result.error()));
         setState(session::RunState::Failed);
         return;
     }

@@ -19,11 +19,13 @@ public:
     static QString sentence(const building::Message& message);
     /// One of a finding's ids. Where a source gives none, core makes one of words.
     static QString id(const std::string& id);
-    /// Why something of a map cannot be done, and where. Errors hold their English only, so their sentence is
+    /// Why something cannot be done, and where. Errors hold their English only, so their sentence is
     /// known by it; what no table of ours holds (a library's own complaint) stays as it is.
     static QString problem(const Error& error);
     /// One of a LoadedBuilding's warnings, known in the same way.
     static QString remark(const std::string& warning);
+    /// What is told of a source while it is read: the sentence alone, as core puts it.
+    static QString message(const std::string& english);
 };
 
 } // namespace farol::ui

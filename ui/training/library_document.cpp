@@ -1,6 +1,7 @@
 #include "ui/training/library_document.h"
 
 #include "ui/convert/convert.h"
+#include "ui/models/core_words.h"
 #include "ui/training/library_merge.h"
 
 #include <QFileInfo>
@@ -71,7 +72,7 @@ void LibraryDocument::open(const QString& path) {
             if (job != m_job) return;
             m_opening = false;
             Q_EMIT stateChanged();
-            if (!result) return void(Q_EMIT failed(toQString(result.error().text())));
+            if (!result) return void(Q_EMIT failed(CoreWords::problem(result.error())));
             take(path, std::move(result->library), result->stamp);
         });
 }
@@ -86,7 +87,7 @@ void LibraryDocument::create(const QString& path) {
                          if (job != m_job) return;
                          m_opening = false;
                          Q_EMIT stateChanged();
-                         if (!result) return void(Q_EMIT failed(toQString(result.error().text())));
+                         if (!result) return void(Q_EMIT failed(CoreWords::problem(result.error())));
                          take(path, fresh, result->stamp);
                      });
 }
@@ -102,7 +103,7 @@ bool LibraryDocument::change(const QString& text, MakeStep make) {
                          // Undo may have been pressed meanwhile: the step no longer fits.
                          if (from != m_library)
                              return void(Q_EMIT refused(tr("The library was changed meanwhile; try again.")));
-                         if (!step) return void(Q_EMIT refused(toQString(step.error().text())));
+                         if (!step) return void(Q_EMIT refused(CoreWords::problem(step.error())));
                          m_undo.push(new LibraryCommand(*this, std::move(*step), text));
                      });
     return true;
@@ -171,7 +172,7 @@ void LibraryDocument::written(const Library& what, Result<Written> result) {
     m_writing = false;
     if (!result || !result->library) {
         Q_EMIT stateChanged();
-        if (!result) return void(Q_EMIT unwritable(toQString(result.error().text())));
+        if (!result) return void(Q_EMIT unwritable(CoreWords::problem(result.error())));
         return void(Q_EMIT overtaken());
     }
     follow(result->stamp);

@@ -3,6 +3,7 @@
 #include "core/base/file.h"
 #include "core/capture/picture.h"
 #include "ui/convert/convert.h"
+#include "ui/models/core_words.h"
 
 #include <QBuffer>
 #include <QCollator>
@@ -132,7 +133,7 @@ void PictureReel::opened(std::uint64_t serial, Result<std::shared_ptr<Stream>> r
     if (!result) {
         m_name.clear();
         Q_EMIT stateChanged();
-        return void(Q_EMIT failed(toQString(result.error().text())));
+        return void(Q_EMIT failed(CoreWords::problem(result.error())));
     }
     m_stream = std::move(*result);
     m_live = m_stream->source->live();
@@ -197,7 +198,7 @@ void PictureReel::go(int index) {
                          m_current.reset();
                          Q_EMIT pictureChanged();
                          Q_EMIT stateChanged();
-                         Q_EMIT failed(toQString(picture.error().text()));
+                         Q_EMIT failed(CoreWords::problem(picture.error()));
                      });
 }
 

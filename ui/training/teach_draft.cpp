@@ -32,8 +32,10 @@ Result<void> written(const QString& path, const QByteArray& bytes) {
     if (file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size() && file.flush() && file.commit())
         return {};
     return Error{ErrorCode::Io,
-                 "what you are teaching cannot be kept on disk (" + toUtf8(file.errorString()) +
-                     "); it would be lost with the program",
+                 toUtf8(QCoreApplication::translate("farol::ui::DraftStore",
+                                                    "what you are teaching cannot be kept on disk (%1); it "
+                                                    "would be lost with the program")
+                            .arg(file.errorString())),
                  toUtf8(QDir::toNativeSeparators(path))};
 }
 
@@ -87,7 +89,9 @@ Result<void> DraftStore::save(const TeachDraft& draft) const {
     const QDir folder(m_folder);
     if (!folder.mkpath(QStringLiteral(".")))
         return Error{ErrorCode::Io,
-                     "the folder for what you are teaching cannot be made; it would be lost with the program",
+                     toUtf8(QCoreApplication::translate(
+                         "farol::ui::DraftStore", "the folder for what you are teaching cannot be made; "
+                                                  "it would be lost with the program")),
                      toUtf8(QDir::toNativeSeparators(m_folder))};
     QStringList wanted{kDraft};
     QJsonArray views;

@@ -2,6 +2,7 @@
 
 #include "core/recognition/training.h"
 #include "ui/convert/convert.h"
+#include "ui/models/core_words.h"
 
 #include <algorithm>
 #include <utility>
@@ -60,7 +61,7 @@ void TeachSession::end(bool keepDraft) {
 
 void TeachSession::keep() {
     if (!m_active || !m_draft.worthKeeping()) return;
-    if (auto done = m_store.save(m_draft); !done) Q_EMIT unkept(toQString(done.error().text()));
+    if (auto done = m_store.save(m_draft); !done) Q_EMIT unkept(CoreWords::problem(done.error()));
 }
 
 recognition::TrainingRequest TeachSession::request() const {
@@ -243,7 +244,7 @@ void TeachSession::trained(Result<Template> result, std::optional<DraftView> fre
     m_training = false;
     if (!result) {
         Q_EMIT changed();
-        return void(Q_EMIT refused(toQString(result.error().message)));
+        return void(Q_EMIT refused(CoreWords::problem({result.error().code, result.error().message, {}})));
     }
     m_trained = std::move(*result);
     m_trained->id = TemplateId(toUtf8(m_draft.id));
@@ -280,7 +281,7 @@ recognition::Advice TeachSession::next() const {
 std::function<Result<recognition::LibraryStep>(const LandmarkLibrary&)> TeachSession::finished() const {
     return [entry = m_trained,
             extends = m_draft.extends](const LandmarkLibrary& library) -> Result<recognition::LibraryStep> {
-        if (!entry) return Error{ErrorCode::InvalidArgument, "there is no view yet", ""};
+        if (!entry) return Error{ErrorCode::InvalidArgument, toUtf8(tr("there is no view yet")), ""};
         if (!extends) return recognition::insertion(library, *entry);
         for (std::size_t i = 0; i < library.templates.size(); ++i)
             if (library.templates[i].id == entry->id) return recognition::change(library, i, *entry);

@@ -34,7 +34,7 @@ list(TRANSFORM FAROL_FULL_LANGUAGES REPLACE "(.+)" "translations/farol_\\1.ts" O
 set(FAROL_COLLECT -silent -recursive -I ${PROJECT_SOURCE_DIR} -locations none -no-obsolete
                   -tr-function-alias QT_TRANSLATE_NOOP+=SAID,QT_TRANSLATE_N_NOOP+=SAID_OF_MANY)
 set(FAROL_WITH_TEXTS ui app core/base/base_sayings.cpp core/building/sentence_table.cpp core/capture/sayings.cpp
-                     core/recognition/sayings.cpp)
+                     core/recognition/sayings.cpp core/session/sayings.cpp)
 add_custom_target(update_translations
   COMMAND Qt6::lupdate ${FAROL_COLLECT} -pluralonly ${FAROL_WITH_TEXTS} -ts translations/farol_en.ts
   COMMAND Qt6::lupdate ${FAROL_COLLECT} ${FAROL_WITH_TEXTS} -ts ${FAROL_FULL_TS}

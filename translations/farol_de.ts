@@ -1630,6 +1630,70 @@
         <source>%1 cannot be read as a picture</source>
         <translation>%1 lässt sich nicht als Bild lesen</translation>
     </message>
+    <message>
+        <source>there is no such folder</source>
+        <translation>diesen Ordner gibt es nicht</translation>
+    </message>
+    <message>
+        <source>is not a recording: it holds no recording.json</source>
+        <translation>ist keine Aufnahme: darin fehlt recording.json</translation>
+    </message>
+    <message>
+        <source>is not JSON</source>
+        <translation>ist kein JSON</translation>
+    </message>
+    <message>
+        <source>is not the header of a recording</source>
+        <translation>ist nicht der Kopf einer Aufnahme</translation>
+    </message>
+    <message>
+        <source>was made by a later version of Farol (recording format %1, this program reads up to %2)</source>
+        <translation>wurde von einer späteren Version von Farol gemacht (Aufnahmeformat %1, dieses Programm liest bis %2)</translation>
+    </message>
+    <message>
+        <source>is neither a percept nor a command</source>
+        <translation>ist weder eine Beobachtung noch ein Befehl</translation>
+    </message>
+    <message>
+        <source>is a file; a new or empty folder is wanted for a recording</source>
+        <translation>ist eine Datei; für eine Aufnahme ist ein neuer oder leerer Ordner verlangt</translation>
+    </message>
+    <message>
+        <source>is not empty; choose a new folder, so that no recording is overwritten</source>
+        <translation>ist nicht leer; wählen Sie einen neuen Ordner, damit keine Aufnahme überschrieben wird</translation>
+    </message>
+    <message>
+        <source>cannot create</source>
+        <translation>lässt sich nicht anlegen</translation>
+    </message>
+    <message>
+        <source>cannot create the recording</source>
+        <translation>die Aufnahme lässt sich nicht anlegen</translation>
+    </message>
+    <message>
+        <source>cannot encode the picture</source>
+        <translation>das Bild lässt sich nicht kodieren</translation>
+    </message>
+    <message>
+        <source>the recording stopped (%1); the walk goes on</source>
+        <translation>die Aufnahme ist stehengeblieben (%1); der Gang geht weiter</translation>
+    </message>
+    <message>
+        <source>the walk broke off: %1</source>
+        <translation>der Gang ist abgebrochen: %1</translation>
+    </message>
+    <message>
+        <source>frame %1 could not be looked at: %2</source>
+        <translation>Bild %1 ließ sich nicht ansehen: %2</translation>
+    </message>
+    <message>
+        <source>there is no source of pictures; open one first</source>
+        <translation>es gibt keine Quelle von Bildern; öffnen Sie zuerst eine</translation>
+    </message>
+    <message>
+        <source>there is no map; open one first</source>
+        <translation>es gibt keine Karte; öffnen Sie zuerst eine</translation>
+    </message>
 </context>
 <context>
     <name>farol::Options</name>

@@ -1630,6 +1630,70 @@
         <source>%1 cannot be read as a picture</source>
         <translation>%1: no se puede leer como imagen</translation>
     </message>
+    <message>
+        <source>there is no such folder</source>
+        <translation>no existe esa carpeta</translation>
+    </message>
+    <message>
+        <source>is not a recording: it holds no recording.json</source>
+        <translation>no es una grabación: no contiene recording.json</translation>
+    </message>
+    <message>
+        <source>is not JSON</source>
+        <translation>no es JSON</translation>
+    </message>
+    <message>
+        <source>is not the header of a recording</source>
+        <translation>no es la cabecera de una grabación</translation>
+    </message>
+    <message>
+        <source>was made by a later version of Farol (recording format %1, this program reads up to %2)</source>
+        <translation>la hizo una versión posterior de Farol (formato de grabación %1; este programa lee hasta el %2)</translation>
+    </message>
+    <message>
+        <source>is neither a percept nor a command</source>
+        <translation>no es una observación ni una orden</translation>
+    </message>
+    <message>
+        <source>is a file; a new or empty folder is wanted for a recording</source>
+        <translation>es un archivo; para una grabación se quiere una carpeta nueva o vacía</translation>
+    </message>
+    <message>
+        <source>is not empty; choose a new folder, so that no recording is overwritten</source>
+        <translation>no está vacía; elija una carpeta nueva, para que no se sobrescriba ninguna grabación</translation>
+    </message>
+    <message>
+        <source>cannot create</source>
+        <translation>no se puede crear</translation>
+    </message>
+    <message>
+        <source>cannot create the recording</source>
+        <translation>no se puede crear la grabación</translation>
+    </message>
+    <message>
+        <source>cannot encode the picture</source>
+        <translation>no se puede codificar la imagen</translation>
+    </message>
+    <message>
+        <source>the recording stopped (%1); the walk goes on</source>
+        <translation>la grabación se detuvo (%1); el recorrido sigue</translation>
+    </message>
+    <message>
+        <source>the walk broke off: %1</source>
+        <translation>el recorrido se interrumpió: %1</translation>
+    </message>
+    <message>
+        <source>frame %1 could not be looked at: %2</source>
+        <translation>no se pudo mirar la imagen %1: %2</translation>
+    </message>
+    <message>
+        <source>there is no source of pictures; open one first</source>
+        <translation>no hay fuente de imágenes; abra una primero</translation>
+    </message>
+    <message>
+        <source>there is no map; open one first</source>
+        <translation>no hay mapa; abra uno primero</translation>
+    </message>
 </context>
 <context>
     <name>farol::Options</name>

@@ -1630,6 +1630,70 @@
         <source>%1 cannot be read as a picture</source>
         <translation>%1&#xa0;: ne peut pas être lu comme image</translation>
     </message>
+    <message>
+        <source>there is no such folder</source>
+        <translation>ce dossier n&apos;existe pas</translation>
+    </message>
+    <message>
+        <source>is not a recording: it holds no recording.json</source>
+        <translation>n&apos;est pas un enregistrement&#xa0;: il y manque recording.json</translation>
+    </message>
+    <message>
+        <source>is not JSON</source>
+        <translation>n&apos;est pas du JSON</translation>
+    </message>
+    <message>
+        <source>is not the header of a recording</source>
+        <translation>n&apos;est pas l&apos;en-tête d&apos;un enregistrement</translation>
+    </message>
+    <message>
+        <source>was made by a later version of Farol (recording format %1, this program reads up to %2)</source>
+        <translation>a été fait par une version plus récente de Farol (format d&apos;enregistrement %1&#xa0;; ce programme lit jusqu&apos;au %2)</translation>
+    </message>
+    <message>
+        <source>is neither a percept nor a command</source>
+        <translation>n&apos;est ni une observation ni une commande</translation>
+    </message>
+    <message>
+        <source>is a file; a new or empty folder is wanted for a recording</source>
+        <translation>est un fichier&#xa0;; il faut un dossier nouveau ou vide pour un enregistrement</translation>
+    </message>
+    <message>
+        <source>is not empty; choose a new folder, so that no recording is overwritten</source>
+        <translation>n&apos;est pas vide&#xa0;; choisissez un nouveau dossier, pour qu&apos;aucun enregistrement ne soit écrasé</translation>
+    </message>
+    <message>
+        <source>cannot create</source>
+        <translation>la création a échoué</translation>
+    </message>
+    <message>
+        <source>cannot create the recording</source>
+        <translation>l&apos;enregistrement ne peut pas être créé</translation>
+    </message>
+    <message>
+        <source>cannot encode the picture</source>
+        <translation>l&apos;image ne peut pas être encodée</translation>
+    </message>
+    <message>
+        <source>the recording stopped (%1); the walk goes on</source>
+        <translation>l&apos;enregistrement s&apos;est arrêté (%1)&#xa0;; le parcours continue</translation>
+    </message>
+    <message>
+        <source>the walk broke off: %1</source>
+        <translation>le parcours s&apos;est interrompu&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>frame %1 could not be looked at: %2</source>
+        <translation>l&apos;image %1 n&apos;a pas pu être examinée&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>there is no source of pictures; open one first</source>
+        <translation>il n&apos;y a pas de source d&apos;images&#xa0;; ouvrez-en une d&apos;abord</translation>
+    </message>
+    <message>
+        <source>there is no map; open one first</source>
+        <translation>il n&apos;y a pas de carte&#xa0;; ouvrez-en une d&apos;abord</translation>
+    </message>
 </context>
 <context>
     <name>farol::Options</name>

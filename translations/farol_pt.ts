@@ -1630,6 +1630,70 @@
         <source>%1 cannot be read as a picture</source>
         <translation>%1: não se consegue ler como imagem</translation>
     </message>
+    <message>
+        <source>there is no such folder</source>
+        <translation>não existe essa pasta</translation>
+    </message>
+    <message>
+        <source>is not a recording: it holds no recording.json</source>
+        <translation>não é uma gravação: não contém recording.json</translation>
+    </message>
+    <message>
+        <source>is not JSON</source>
+        <translation>não é JSON</translation>
+    </message>
+    <message>
+        <source>is not the header of a recording</source>
+        <translation>não é o cabeçalho de uma gravação</translation>
+    </message>
+    <message>
+        <source>was made by a later version of Farol (recording format %1, this program reads up to %2)</source>
+        <translation>foi feita por uma versão posterior do Farol (formato de gravação %1; este programa lê até ao %2)</translation>
+    </message>
+    <message>
+        <source>is neither a percept nor a command</source>
+        <translation>não é uma observação nem um comando</translation>
+    </message>
+    <message>
+        <source>is a file; a new or empty folder is wanted for a recording</source>
+        <translation>é um ficheiro; para uma gravação quer-se uma pasta nova ou vazia</translation>
+    </message>
+    <message>
+        <source>is not empty; choose a new folder, so that no recording is overwritten</source>
+        <translation>não está vazia; escolha uma pasta nova, para que nenhuma gravação seja substituída</translation>
+    </message>
+    <message>
+        <source>cannot create</source>
+        <translation>não se consegue criar</translation>
+    </message>
+    <message>
+        <source>cannot create the recording</source>
+        <translation>não se consegue criar a gravação</translation>
+    </message>
+    <message>
+        <source>cannot encode the picture</source>
+        <translation>não se consegue codificar a imagem</translation>
+    </message>
+    <message>
+        <source>the recording stopped (%1); the walk goes on</source>
+        <translation>a gravação parou (%1); o percurso continua</translation>
+    </message>
+    <message>
+        <source>the walk broke off: %1</source>
+        <translation>o percurso interrompeu-se: %1</translation>
+    </message>
+    <message>
+        <source>frame %1 could not be looked at: %2</source>
+        <translation>não se conseguiu ver a imagem %1: %2</translation>
+    </message>
+    <message>
+        <source>there is no source of pictures; open one first</source>
+        <translation>não há fonte de imagens; abra uma primeiro</translation>
+    </message>
+    <message>
+        <source>there is no map; open one first</source>
+        <translation>não há mapa; abra um primeiro</translation>
+    </message>
 </context>
 <context>
     <name>farol::Options</name>

@@ -5,6 +5,7 @@
 #include "core/capture/sayings.h"
 #include "core/session/inbox.h"
 #include "core/session/map_words.h"
+#include "core/session/sayings.h"
 
 #include <algorithm>
 #include <cmath>
@@ -137,7 +138,7 @@ ReplayHandlers NavigationSession::Impl::outward() {
 }
 
 void NavigationSession::Impl::recordingStopped(const Error& error) {
-    std::string text = "the recording stopped (" + error.text() + "); the walk goes on";
+    std::string text = said(Saying::RecordingStopped, {error.text()});
     apply(MessageCommand{text}, *navigator, outward());
     apply(WarningCommand{guidance::CueReason::RecordingStopped, text}, *navigator, outward());
 }
@@ -173,7 +174,7 @@ Percept NavigationSession::Impl::look(const capture::Frame& frame, Perception& p
         for (const std::string& message : perception.takeMessages()) tell(message);
         return percept;
     } catch (const std::exception& exception) {
-        tell("frame " + std::to_string(frame.index) + " could not be looked at: " + exception.what());
+        tell(said(Saying::FrameNotLookedAt, {std::to_string(frame.index), exception.what()}));
     }
     Percept blind;
     blind.frame = frame.index;
@@ -287,7 +288,7 @@ void NavigationSession::Impl::runSession() {
     } catch (const std::exception& exception) {
         // Nothing of ours throws; a library or a handler did. The walk ends with a word instead of the
         // program.
-        std::string text = std::string("the walk broke off: ") + exception.what();
+        std::string text = said(Saying::WalkBrokeOff, {exception.what()});
         logError(text);
         inbox.setOver(RunState::Failed);
         source->requestStop();
@@ -302,8 +303,7 @@ NavigationSession::create(std::shared_ptr<const building::Building> building,
                           std::shared_ptr<const recognition::LandmarkLibrary> library,
                           std::unique_ptr<capture::FrameSource> source, const SessionOptions& options,
                           SessionHandlers handlers) {
-    if (!source)
-        return Error{ErrorCode::InvalidArgument, "there is no source of pictures; open one first", "source"};
+    if (!source) return Error{ErrorCode::InvalidArgument, said(Saying::NoSource), "source"};
     if (auto checked = options.check(); !checked) return checked.error();
     auto navigator = Navigator::create(building, options.navigator);
     if (!navigator) return navigator.error();

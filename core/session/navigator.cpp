@@ -1,5 +1,7 @@
 #include "core/session/navigator.h"
 
+#include "core/session/sayings.h"
+
 #include <algorithm>
 #include <type_traits>
 #include <utility>
@@ -96,7 +98,7 @@ NavigatorOptions NavigatorOptions::with(const std::string& localiser) {
 
 Result<std::unique_ptr<Navigator>> Navigator::create(std::shared_ptr<const building::Building> building,
                                                      const NavigatorOptions& options) {
-    if (!building) return Error{ErrorCode::InvalidArgument, "there is no map; open one first", "map"};
+    if (!building) return Error{ErrorCode::InvalidArgument, said(Saying::NoMap), "map"};
     auto localiser = localisation::makeLocaliser(options.localiser, building);
     if (!localiser) return localiser.error();
     return create(std::move(building), options, std::move(localiser).value());
@@ -105,7 +107,7 @@ Result<std::unique_ptr<Navigator>> Navigator::create(std::shared_ptr<const build
 Result<std::unique_ptr<Navigator>> Navigator::create(std::shared_ptr<const building::Building> building,
                                                      const NavigatorOptions& options,
                                                      std::unique_ptr<localisation::Localiser> localiser) {
-    if (!building) return Error{ErrorCode::InvalidArgument, "there is no map; open one first", "map"};
+    if (!building) return Error{ErrorCode::InvalidArgument, said(Saying::NoMap), "map"};
     if (auto checked = options.check(); !checked) return checked.error();
     auto planner = makePlanner(building, options);
     if (!planner) return planner.error();

@@ -1,6 +1,7 @@
 #include "core/session/perception.h"
 
 #include "core/recognition/sharpness.h"
+#include "core/session/sayings.h"
 
 #include <algorithm>
 #include <chrono>
@@ -304,8 +305,7 @@ void Perception::fetch(Post& post, Percept& percept, HopTimes& times) {
     times.rectanglesMs += sight->times.rectanglesMs;
     times.textMs += sight->times.textMs;
     if (!sight->trouble.empty()) {
-        m_messages.push_back("frame " + std::to_string(sight->frame) +
-                             " could not be looked at: " + sight->trouble);
+        m_messages.push_back(said(Saying::FrameNotLookedAt, {std::to_string(sight->frame), sight->trouble}));
         return;
     }
     if (post.sense == recognition::Sense::Landmarks) times.landmarksArrivedAt = sight->arrivedAt;

@@ -1,8 +1,10 @@
 #include "core/session/recorder.h"
 
+#include "core/base/base_sayings.h"
 #include "core/base/file.h"
 #include "core/building/geopackage.h"
 #include "core/session/recording_json.h"
+#include "core/session/sayings.h"
 
 #include <opencv2/imgcodecs.hpp>
 
@@ -22,7 +24,8 @@ Result<void> writeAll(int descriptor, const char* bytes, std::size_t count, cons
     while (count > 0) {
         ssize_t written = ::write(descriptor, bytes, count);
         if (written < 0 && errno == EINTR) continue;
-        if (written <= 0) return systemError(written < 0 ? errno : EIO, "cannot write", context);
+        if (written <= 0)
+            return systemError(written < 0 ? errno : EIO, said(BaseSaying::NotWritten), context);
         bytes += written;
         count -= static_cast<std::size_t>(written);
     }
@@ -31,23 +34,21 @@ Result<void> writeAll(int descriptor, const char* bytes, std::size_t count, cons
 
 Result<void> writeWhole(const fs::path& path, const char* bytes, std::size_t count) {
     int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-    if (descriptor < 0) return systemError(errno, "cannot create", path.string());
+    if (descriptor < 0) return systemError(errno, said(Saying::NotCreated), path.string());
     auto written = writeAll(descriptor, bytes, count, path.string());
-    if (::close(descriptor) != 0 && written) return systemError(errno, "cannot write", path.string());
+    if (::close(descriptor) != 0 && written)
+        return systemError(errno, said(BaseSaying::NotWritten), path.string());
     return written;
 }
 
 Result<void> prepareFolder(const fs::path& folder) {
     std::error_code failure;
     if (fs::exists(folder, failure) && !fs::is_directory(folder, failure))
-        return Error{ErrorCode::Conflict, "is a file; a new or empty folder is wanted for a recording",
-                     folder.string()};
+        return Error{ErrorCode::Conflict, said(Saying::FolderIsFile), folder.string()};
     if (fs::is_directory(folder, failure) && !fs::is_empty(folder, failure) && !failure)
-        return Error{ErrorCode::Conflict,
-                     "is not empty; choose a new folder, so that no recording is overwritten",
-                     folder.string()};
+        return Error{ErrorCode::Conflict, said(Saying::FolderNotEmpty), folder.string()};
     fs::create_directories(folder / "frames", failure);
-    if (failure) return systemError(failure.value(), "cannot create the recording", folder.string());
+    if (failure) return systemError(failure.value(), said(Saying::RecordingNotCreated), folder.string());
     return {};
 }
 
@@ -75,7 +76,7 @@ Result<std::unique_ptr<Recorder>> Recorder::create(const fs::path& folder, const
         return written.error();
     fs::path path = folder / "walk.jsonl";
     int walk = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_APPEND | O_CLOEXEC, 0666);
-    if (walk < 0) return systemError(errno, "cannot create", path.string());
+    if (walk < 0) return systemError(errno, said(Saying::NotCreated), path.string());
     return std::unique_ptr<Recorder>(new Recorder(folder, walk));
 }
 
@@ -97,10 +98,10 @@ Result<void> Recorder::writePicture(const std::string& name, const cv::Mat& imag
     fs::path path = m_folder / name;
     try {
         if (!cv::imencode(".jpg", image, bytes, {cv::IMWRITE_JPEG_QUALITY, 90}))
-            return giveUp({ErrorCode::Internal, "cannot encode the picture", path.string()});
+            return giveUp({ErrorCode::Internal, said(Saying::PictureNotEncoded), path.string()});
     } catch (const cv::Exception& exception) {
-        return giveUp({ErrorCode::Internal, std::string("cannot encode the picture: ") + exception.what(),
-                       path.string()});
+        return giveUp(
+            {ErrorCode::Internal, said(Saying::PictureNotEncoded) + ": " + exception.what(), path.string()});
     }
     auto written = writeWhole(path, reinterpret_cast<const char*>(bytes.data()), bytes.size());
     if (!written) {

@@ -1,6 +1,7 @@
 #include "core/session/recording_json.h"
 
 #include "core/session/json_lines.h"
+#include "core/session/sayings.h"
 
 #include <array>
 #include <limits>
@@ -214,13 +215,11 @@ Result<RecordingHeader> headerFromJson(const Json& json) {
     JsonFields fields(json);
     RecordingHeader header;
     if (!fields.has("farol_recording") && fields.ok())
-        return Error{ErrorCode::UnsupportedFormat, "is not the header of a recording", ""};
+        return Error{ErrorCode::UnsupportedFormat, said(Saying::NoHeader), ""};
     header.version = static_cast<int>(fields.integer("farol_recording", 1, std::numeric_limits<int>::max()));
     if (header.version > kVersion)
         return Error{ErrorCode::UnsupportedFormat,
-                     "was made by a later version of Farol (recording format " +
-                         std::to_string(header.version) + ", this program reads up to " +
-                         std::to_string(kVersion) + ")",
+                     said(Saying::RecordingLater, {std::to_string(header.version), std::to_string(kVersion)}),
                      ""};
     header.source = fields.textOr("source", "");
     header.map = fields.textOr("map", "");
@@ -279,7 +278,7 @@ Json commandJson(const Command& command) {
 Result<RecordLine> recordLineFromJson(const Json& json) {
     JsonFields fields(json);
     if (fields.has("command")) return commandFrom(fields);
-    if (!fields.has("percept")) return Error{ErrorCode::Corrupt, "is neither a percept nor a command", ""};
+    if (!fields.has("percept")) return Error{ErrorCode::Corrupt, said(Saying::LineUnknown), ""};
     auto percept = perceptFromJson(fields.object("percept"));
     if (!percept) return percept.error();
     RecordLine line{std::move(percept).value(), fields.textOr("picture", "")};

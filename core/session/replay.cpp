@@ -1,6 +1,7 @@
 #include "core/base/file.h"
 #include "core/session/recorder.h"
 #include "core/session/recording_json.h"
+#include "core/session/sayings.h"
 
 #include <utility>
 
@@ -35,7 +36,7 @@ Result<Lines> parseWalk(const std::string& walk) {
                                       ": the last line was not written to its end and is left out");
             break;
         }
-        if (!json) return onLine({ErrorCode::Corrupt, "is not JSON", ""}, number);
+        if (!json) return onLine({ErrorCode::Corrupt, said(Saying::NoJson), ""}, number);
         auto line = recordLineFromJson(*json);
         if (!line) return onLine(line.error(), number);
         result.lines.push_back(std::move(line).value());
@@ -50,7 +51,7 @@ Error inFolder(Error error, const fs::path& folder) {
 
 Result<RecordingHeader> parseHeader(const std::string& text) {
     auto json = parsedJson(text);
-    if (!json) return Error{ErrorCode::Corrupt, "is not JSON", "recording.json"};
+    if (!json) return Error{ErrorCode::Corrupt, said(Saying::NoJson), "recording.json"};
     auto header = headerFromJson(*json);
     if (header) return header;
     Error error = header.error();
@@ -88,9 +89,9 @@ Result<Recording> parseRecording(const std::string& header, const std::string& w
 Result<Recording> loadRecording(const fs::path& folder) {
     std::error_code failure;
     if (!fs::is_directory(folder, failure))
-        return Error{ErrorCode::NotFound, "there is no such folder", folder.string()};
+        return Error{ErrorCode::NotFound, said(Saying::NoFolder), folder.string()};
     if (!fs::exists(folder / "recording.json", failure))
-        return Error{ErrorCode::NotFound, "is not a recording: it holds no recording.json", folder.string()};
+        return Error{ErrorCode::NotFound, said(Saying::NoRecording), folder.string()};
     auto header = readFile(folder / "recording.json");
     if (!header) return header.error();
     auto walk = readFile(folder / "walk.jsonl");

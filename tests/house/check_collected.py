@@ -32,7 +32,7 @@ for kept in sorted((root / "translations").glob("farol_*.ts")):
         command = [lupdate, "-silent", "-recursive", "-I", str(root), "-locations", "none", "-no-obsolete", *only,
                    "-tr-function-alias", "QT_TRANSLATE_NOOP+=SAID,QT_TRANSLATE_N_NOOP+=SAID_OF_MANY",
                    "ui", "app", "core/base/base_sayings.cpp", "core/building/sentence_table.cpp",
-                   "core/capture/sayings.cpp", "core/recognition/sayings.cpp", "-ts", str(fresh)]
+                   "core/capture/sayings.cpp", "core/recognition/sayings.cpp", "core/session/sayings.cpp", "-ts", str(fresh)]
         done = subprocess.run(command, cwd=root, capture_output=True, text=True)
         if done.returncode != 0:
             sys.exit(done.stderr or f"{lupdate} failed")

@@ -11,6 +11,7 @@
 #include "core/recognition/landmark_library.h"
 #include "core/recognition/sayings.h"
 #include "core/recognition/training.h"
+#include "core/session/sayings.h"
 #include "tests/ui/hand_made.h"
 #include "ui/convert/convert.h"
 #include "ui/curation/map_page.h"
@@ -105,7 +106,8 @@ void CoreWordsTest::everySentenceIsTranslated() {
 /// All that modules other than that of maps say.
 std::vector<const char*> CoreWordsTest::allSayings() {
     std::vector<const char*> all = baseSayings();
-    for (const std::vector<const char*>& more : {capture::sayings(), recognition::sayings()})
+    for (const std::vector<const char*>& more :
+         {capture::sayings(), recognition::sayings(), session::sayings()})
         all.insert(all.end(), more.begin(), more.end());
     return all;
 }
@@ -173,6 +175,10 @@ void CoreWordsTest::librariesAndSourcesAreToldInPortuguese() {
              QStringLiteral("a.gpkg: não se consegue escrever no disco: permissão recusada."));
     QCOMPARE(CoreWords::message("7.jpg cannot be read as a picture; skipped (1 so far)"),
              QStringLiteral("7.jpg: não se consegue ler como imagem; saltou-se (1 até agora)"));
+    QCOMPARE(CoreWords::message(
+                 "the recording stopped (a/walk.jsonl: cannot write: Permission denied); the walk goes on"),
+             QStringLiteral("a gravação parou (a/walk.jsonl: não se consegue escrever: permissão recusada); "
+                            "o percurso continua"));
     QCOMPARE(CoreWords::message("camera:0 is back"), QStringLiteral("camera:0 está de volta"));
     QCOMPARE(CoreWords::message("nobody knows this one"), QStringLiteral("nobody knows this one"));
 }

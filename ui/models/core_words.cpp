@@ -4,6 +4,7 @@
 #include "core/base/kind.h"
 #include "core/capture/sayings.h"
 #include "core/recognition/sayings.h"
+#include "core/session/sayings.h"
 #include "ui/convert/convert.h"
 #include "ui/models/words.h"
 #include "ui/speech/phrasebook.h"
@@ -99,7 +100,8 @@ std::vector<Pattern> patterns() {
         if (!row.counts() && std::find(kFrames.begin(), kFrames.end(), row.sentence) == kFrames.end())
             add(row.text, row.sentence);
     for (const char* english : baseSayings()) add(english, Sentence::Nothing);
-    for (const char* english : capture::sayings()) add(english, Sentence::Nothing);
+    for (const std::vector<const char*>& sayings : {capture::sayings(), session::sayings()})
+        for (const char* english : sayings) add(english, Sentence::Nothing);
     const std::vector<const char*> ofLibraries = recognition::sayings();
     for (std::size_t i = 0; i < ofLibraries.size(); ++i)
         if (!isFrame(static_cast<recognition::Saying>(i))) add(ofLibraries[i], Sentence::Nothing);
@@ -147,6 +149,7 @@ QString translatedPlace(QString text, Sentence where) {
 }
 
 std::optional<QString> known(const QString& english);
+std::optional<QString> placedSentence(const QString& english);
 
 QString mapSentence(const Pattern& pattern, const QRegularExpressionMatch& found) {
     std::vector<Argument> places;
@@ -162,7 +165,7 @@ QString otherSentence(const Pattern& pattern, const QRegularExpressionMatch& fou
     std::vector<std::string> places;
     for (int i = 1; i <= found.lastCapturedIndex(); ++i) {
         const QString place = found.captured(i);
-        QString text = known(place).value_or(place);
+        QString text = known(place).value_or(placedSentence(place).value_or(place));
         if (pattern.english == englishOf(recognition::Saying::KindOther))
             if (const auto kind = kindFromName(toUtf8(place))) text = Phrasebook::kindWord(*kind);
         places.push_back(toUtf8(text));
@@ -202,6 +205,7 @@ QString stopped(QString text) {
     return text;
 }
 
+/// Without a stop.
 QString inContext(QString context, const QString& text) {
     for (const Sentence where : {Sentence::LayerOfFile, Sentence::FeatureNumberOf, Sentence::FeatureOf,
                                  Sentence::LineOf, Sentence::LevelOf})
@@ -213,7 +217,16 @@ QString inContext(QString context, const QString& text) {
     if (context.startsWith(named))
         context = QCoreApplication::translate(kContext, englishOf(Saying::TemplateNamed))
                       .replace(QStringLiteral("%1"), context.mid(named.size()));
-    return stopped(CoreWords::phrase(building::said(Sentence::InContext, toUtf8(context), toUtf8(text))));
+    return CoreWords::phrase(building::said(Sentence::InContext, toUtf8(context), toUtf8(text)));
+}
+
+/// A sentence behind the name of the place it is about; names may hold a colon, too.
+std::optional<QString> placedSentence(const QString& english) {
+    const QString colon = QStringLiteral(": ");
+    for (qsizetype at = english.indexOf(colon); at >= 0; at = english.indexOf(colon, at + 1))
+        if (const auto text = knownWithDetail(english.mid(at + colon.size())))
+            return inContext(english.left(at), *text);
+    return std::nullopt;
 }
 
 } // namespace
@@ -240,7 +253,7 @@ QString CoreWords::problem(const Error& error) {
         if (!alone.isEmpty()) alone[0] = alone[0].toUpper();
         return alone;
     }
-    return inContext(toQString(error.context), text.value_or(english));
+    return stopped(inContext(toQString(error.context), text.value_or(english)));
 }
 
 QString CoreWords::message(const std::string& english) {
@@ -248,12 +261,8 @@ QString CoreWords::message(const std::string& english) {
 }
 
 QString CoreWords::remark(const std::string& warning) {
-    const QString english = toQString(warning), colon = QStringLiteral(": ");
-    for (qsizetype at = english.indexOf(colon); at >= 0;
-         at = english.indexOf(colon, at + 1)) // names may hold one
-        if (const auto text = known(english.mid(at + colon.size())))
-            return inContext(english.left(at), *text);
-    return english;
+    const auto text = placedSentence(toQString(warning));
+    return text ? stopped(*text) : toQString(warning);
 }
 
 QString CoreWords::id(const std::string& id) {

@@ -22,10 +22,22 @@ FPS = "8"
 
 
 def asked(command):
-    done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, check=False)
+    try:
+        done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, check=False)
+    except OSError as failure:
+        raise RuntimeError(f"{command[0]} cannot be started ({failure.strerror}): ./dev build makes it") from failure
     if done.returncode != 0:
         raise RuntimeError(f"{' '.join(map(str, command))}: {done.stderr.strip()[-400:]}")
     return done.stdout
+
+
+def walks_in(log):
+    """What was walked before; a last line that was cut off when the program was ended is walked again."""
+    lines = log.read_text().splitlines(keepends=True) if log.exists() else []
+    if lines and not lines[-1].endswith("\n"):
+        log.write_text("".join(lines[:-1]))
+        lines.pop()
+    return [json.loads(line) for line in lines]
 
 
 def drawn_pairs(cli, arguments):
@@ -97,7 +109,7 @@ def main():
     arguments.rest = [word for word in rest if word != "--"]
 
     log = Path(arguments.log)
-    walked = [json.loads(line) for line in log.read_text().splitlines()] if log.exists() else []
+    walked = walks_in(log)
     if arguments.summary:
         summary(walked)
         return 0
@@ -116,7 +128,11 @@ def main():
 
     if arguments.transcripts:
         Path(arguments.transcripts).mkdir(parents=True, exist_ok=True)
-    pairs = list(enumerate(drawn_pairs(cli, arguments)))
+    try:
+        pairs = list(enumerate(drawn_pairs(cli, arguments)))
+    except RuntimeError as failure:
+        print(failure, file=sys.stderr)
+        return 1
     failed = 0
     with ThreadPoolExecutor(arguments.jobs) as pool, log.open("a") as out:
         waiting = [pool.submit(walk, number, pair) for number, pair in pairs if number not in done]

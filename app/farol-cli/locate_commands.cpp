@@ -209,7 +209,9 @@ void addLocateCommand(CLI::App& app, int& exitCode) {
     command->footer(kExamples);
     command->add_option("MAP", options->map, "Building file or connection string")->required();
     command->add_option("DETECTIONS", options->log, "JSON lines; - reads standard input")->required();
-    command->add_option("--localiser", options->localiser, "voting, voting-literal, bayes, bayes-guided or bayes-guided-sparse")
+    command
+        ->add_option("--localiser", options->localiser,
+                     "voting, voting-literal, bayes, bayes-guided or bayes-guided-sparse")
         ->capture_default_str();
     command->add_option("--to", options->to,
                         "Destination, for localisers that use the route: region id, name, ref or x,y,level");

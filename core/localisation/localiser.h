@@ -75,8 +75,8 @@ public:
     /// Forget everything; `region` empty: an unknown start.
     virtual void start(double time, const std::optional<RegionId>& region) = 0;
     virtual void setRoute(const RouteContext& route) = 0;
-    /// What was just said; holds until the next call. Empty: nobody knows what the user was told, as before the
-    /// first call.
+    /// What was just said; holds until the next call. Empty: nobody knows what the user was told, as before
+    /// the first call.
     virtual void told(const std::optional<ToldWay>& /*way*/) {}
     /// New, de-duplicated observations (paper: runs when an object was detected) with the history as it is
     /// now. Called once a frame, also with nothing new, so that `time` goes on.

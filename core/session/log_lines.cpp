@@ -1,7 +1,6 @@
 // The lines of a `locate` log.
 
 #include "core/session/json_lines.h"
-
 #include "core/session/place_json.h"
 
 #include <limits>

@@ -88,8 +88,9 @@ private:
     guidance::RouteTracker m_tracker;
     guidance::CueScheduler m_scheduler;
     bool m_heardIsReported = false;
-    std::deque<Unheard> m_unheard;                   ///< in the order of their ids
-    std::optional<localisation::ToldWay> m_heardWay; ///< what the localiser was told last; empty: it does not know
+    std::deque<Unheard> m_unheard; ///< in the order of their ids
+    std::optional<localisation::ToldWay>
+        m_heardWay; ///< what the localiser was told last; empty: it does not know
     double m_heardAt = 0.0;
     std::uint64_t m_lastHeard = 0; ///< the newest cue of all that were heard or given up
     localisation::Fix m_lastFix;

@@ -1,7 +1,6 @@
 // Percepts with every digit, as recordings keep them.
 
 #include "core/session/json_lines.h"
-
 #include "core/session/place_json.h"
 
 #include <limits>

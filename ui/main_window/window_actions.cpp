@@ -175,7 +175,8 @@ void WindowActions::buildToolBar() {
     m_bar->addActions({openMap, openLibrary, openSource});
     for (QToolButton* button : m_bar->findChildren<QToolButton*>()) button->setFocusPolicy(Qt::TabFocus);
     // The signs of these are known from everywhere; what steers the walk itself keeps its words.
-    new BarWords(*m_bar, {{repeat, mute, record}, {openMap, openLibrary, openSource}, {here, wrong, sayThis}});
+    new BarWords(*m_bar,
+                 {{repeat, mute, record}, {openMap, openLibrary, openSource}, {here, wrong, sayThis}});
     connect(mute, &QAction::toggled, this, &WindowActions::refreshIcons);
 }
 

@@ -16,7 +16,7 @@ struct CoverageOptions {
     double farM = 8.0;       ///< from farther away a landmark of a usual size is not recognised
     double sizesAway = 20.0; ///< nor one whose width is told from more than so many widths
     double sideways = 1.3;   ///< radians between its front and who sees it
-    double cellM = 0.25;      ///< larger on floors that would have more than `mostCells`
+    double cellM = 0.25;     ///< larger on floors that would have more than `mostCells`
     std::size_t mostCells = 400000;
 };
 

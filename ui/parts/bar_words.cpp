@@ -19,7 +19,8 @@ BarWords::BarWords(QToolBar& bar, QList<QList<QAction*>> groups)
 }
 
 bool BarWords::eventFilter(QObject* watched, QEvent* event) {
-    // Of its own changes it hears as well, as a request for layout: then everything fits, and nothing changes.
+    // Of its own changes it hears as well, as a request for layout: then everything fits, and nothing
+    // changes.
     if (event->type() == QEvent::Resize || event->type() == QEvent::LayoutRequest) fit();
     return QObject::eventFilter(watched, event);
 }

@@ -1,6 +1,6 @@
 #pragma once
-// A tool bar whose buttons give their words up, keeping icon, name and tip, rather than stand where nobody sees
-// them: languages and fonts differ in width by a third.
+// A tool bar whose buttons give their words up, keeping icon, name and tip, rather than stand where nobody
+// sees them: languages and fonts differ in width by a third.
 
 #include <QList>
 #include <QObject>
@@ -15,8 +15,8 @@ namespace farol::ui {
 /// Lives with `bar`. GUI thread.
 class BarWords final : public QObject {
 public:
-    /// Groups of the bar's actions in the order in which they give their words up; each has an icon. What is in
-    /// no group keeps its words.
+    /// Groups of the bar's actions in the order in which they give their words up; each has an icon. What is
+    /// in no group keeps its words.
     BarWords(QToolBar& bar, QList<QList<QAction*>> groups);
 
 private:

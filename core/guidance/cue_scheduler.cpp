@@ -21,6 +21,10 @@ Result<void> GuidanceOptions::check() const {
     if (!isPositive(maxSigmaForDistanceM)) return wrong("must be above 0 metres", "maxSigmaForDistanceM");
     if (!(sureConfidence >= 0.0 && sureConfidence <= 1.0))
         return wrong("must be from 0 to 1", "sureConfidence");
+    if (!(usableConfidence >= 0.0 && usableConfidence <= 1.0))
+        return wrong("must be from 0 to 1", "usableConfidence");
+    if (!(usableNearConfidence >= 0.0 && usableNearConfidence <= 1.0))
+        return wrong("must be from 0 to 1", "usableNearConfidence");
     for (double seconds : {reassureEverySeconds, repeatAfterSeconds, objectRepeatSeconds, unsureAfterSeconds,
                            unsureRepeatSeconds, sweepStepSeconds, offRouteRepeatSeconds}) {
         if (!isPositive(seconds)) return wrong("every time is above 0 seconds", "times");

@@ -28,6 +28,9 @@ struct GuidanceOptions {
     double unsureRepeatSeconds = 15.0; ///< after a look around that found nothing
     double offRouteRepeatSeconds = 10.0;
     double sureConfidence = 0.5; ///< below: hedged words
+    /// Below, a fix is no ground for any instruction, unless it is at least so sure that the user is there or
+    /// next to it; who is left without for long is asked to look around.
+    double usableConfidence = 0.05, usableNearConfidence = 1.0;
     double maxSigmaForActM =
         1.6; ///< an order to act needs a position this good (a place, not an object seen from afar)
     double maxSigmaForDistanceM = 2.0; ///< a distance is told only when the position is that good

@@ -15,8 +15,6 @@ using routing::ManoeuvreKind;
 
 namespace {
 
-/// Below, a fix is no ground for any instruction.
-constexpr double kUsableConfidence = 0.05;
 /// How fast a position gets stale: the pace of a blind walker (routing::RouteOptions).
 constexpr double kWalkingSpeed = 0.8;
 /// An order to act does not cut off the announcement of the same manoeuvre, unless it is due at once.
@@ -77,7 +75,8 @@ CueStep::CueStep(const building::Building& building, const GuidanceOptions& opti
       m_frame(frame),
       m_fix(fix),
       m_progress(progress) {
-    m_usable = fix.region.has_value() && fix.confidence >= kUsableConfidence;
+    m_usable = fix.region.has_value() && (fix.confidence >= options.usableConfidence ||
+                                          fix.nearConfidence >= options.usableNearConfidence);
     m_sure = m_usable && fix.confidence >= options.sureConfidence;
 }
 

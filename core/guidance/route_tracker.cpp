@@ -87,6 +87,10 @@ Result<void> TrackerOptions::check() const {
     if (!(offRouteConfidence >= 0.0 && offRouteConfidence <= 1.0)) {
         return Error{ErrorCode::InvalidArgument, "a confidence is from 0 to 1", "tracker.offRouteConfidence"};
     }
+    if (!(guessConfidence >= 0.0 && guessConfidence <= 1.0 && guessSeconds >= 0.0)) {
+        return Error{ErrorCode::InvalidArgument, "a confidence is from 0 to 1, a time not negative",
+                     "tracker.guessConfidence"};
+    }
     if (!(arrivalConfidence >= 0.0 && arrivalConfidence <= 1.0)) {
         return Error{ErrorCode::InvalidArgument, "a confidence is from 0 to 1", "tracker.arrivalConfidence"};
     }
@@ -155,11 +159,17 @@ Progress RouteTracker::update(const Fix& fix) {
                fix.confidence < kAlreadyThere && !believed(fix)) {
         // "You are there already" has to be true as well: no mere guess.
         m_progress.travel = Travel::NoFix;
+    } else if (isGuess(fix) && !believed(fix)) {
+        m_progress.travel = Travel::NoFix;
     } else if (m_refusedFrom != fix.region) {
         plan(fix);
     }
     describeNext(fix);
     return m_progress;
+}
+
+bool RouteTracker::isGuess(const Fix& fix) const {
+    return fix.confidence < m_options.guessConfidence;
 }
 
 /// True once a surprising fix is to be acted on.
@@ -175,7 +185,8 @@ bool RouteTracker::believed(const Fix& fix) {
         return sure || m_progress.doubtful;
     }
     if (fix.confidence >= m_options.offRouteConfidence) return true;
-    return m_doubtfulFixes >= m_options.offRouteFixes && fix.time - m_doubtSince >= m_options.offRouteSeconds;
+    double lasts = isGuess(fix) ? m_options.guessSeconds : m_options.offRouteSeconds;
+    return m_doubtfulFixes >= m_options.offRouteFixes && fix.time - m_doubtSince >= lasts;
 }
 
 bool RouteTracker::waitedLong(const Fix& fix) {

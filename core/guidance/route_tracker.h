@@ -36,6 +36,9 @@ struct TrackerOptions {
     int offRouteFixes = 2;
     double offRouteSeconds = 0.0;
     double offRouteConfidence = 0.6;
+    /// Below this confidence a fix is a guess: no way begins with it, and none is given up for it, before it
+    /// has lasted longer than a look around takes.
+    double guessConfidence = 0.0, guessSeconds = 30.0;
     double minConfidence = 0.0; ///< fixes below change nothing
     /// Above 0: a fix in the destination is believed at this confidence only, and only once something was
     /// seen after the first one. For localisers whose confidence is a probability.
@@ -62,6 +65,7 @@ public:
 
 private:
     void follow(const localisation::Fix& fix);
+    bool isGuess(const localisation::Fix& fix) const;
     bool believed(const localisation::Fix& fix);
     bool waitedLong(const localisation::Fix& fix);
     void watch(const localisation::Fix& fix);

@@ -29,7 +29,8 @@ public:
           m_building(std::move(building)),
           m_map(std::make_shared<WalkingMap>(m_building)),
           m_sensors(m_map, options.sensors),
-          m_cloud(m_map, options) {
+          m_cloud(m_map, options),
+          m_motion(options.walking.paceTrust) {
         m_mass.assign(m_building->regions().size(), 0.0);
         m_meanRate = meanRate();
         start(0.0, std::nullopt);
@@ -412,7 +413,8 @@ Result<void> WalkingOptions::check() const {
                   hurryShare >= 0.0 && hurryShare <= 1.0;
     bool rates =
         stopRate >= 0.0 && goRate >= 0.0 && strayRate >= 0.0 && returnRate >= 0.0 && straightBack >= 0.0;
-    bool sigmas = swaySigmaDeg > 0.0 && turnSigmaDeg >= 0.0 && unknownTurnSigmaDeg >= 0.0;
+    bool sigmas = swaySigmaDeg > 0.0 && turnSigmaDeg >= 0.0 && unknownTurnSigmaDeg >= 0.0 &&
+                  paceTrust > 0.0 && paceTrust <= 1.0;
     bool freely = bodySwayDeg >= 0.0 && swaySeconds > 0.0 && throughUnasked >= 0.0 && alongWallM > 0.0 &&
                   otherDoor >= 0.0 && climbUntold >= 0.0 && doorRate >= 0.0 && doorUnasked >= 0.0 &&
                   climbRate >= 0.0 && climbUnasked >= 0.0;

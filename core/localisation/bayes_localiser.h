@@ -30,9 +30,12 @@ struct WalkingOptions {
     double turnSigmaDeg = 5.0;                             ///< of a measured turn
     double unknownTurnSigmaDeg = 35.0;
     double distanceSigma = 0.3; ///< of a measured speed, as a share
-    double headingTrust = 0.5;  ///< exponent of what a measured turn tells
-    bool free = false;          ///< goes where the camera looks, between the walls, and not from door to door
-    double bodySwayDeg = 15.0;  ///< of the camera about the body, for those who walk freely
+    /// Exponent of a measured pace. 1: as it is. Below: people keep their pace better than a picture tells
+    /// it, in which a wide room or a floor that mirrors looks like a slower walk.
+    double paceTrust = 1.0;
+    double headingTrust = 0.5; ///< exponent of what a measured turn tells
+    bool free = false;         ///< goes where the camera looks, between the walls, and not from door to door
+    double bodySwayDeg = 15.0; ///< of the camera about the body, for those who walk freely
     double throughUnasked = 0.4; ///< how likely a door is taken that does not lead on, against one that does
     double alongWallM = 0.5;     ///< nobody walks into walls for longer
     double doorRate = 1.0, doorUnasked = 0.15;   ///< takes the door at hand, facing it

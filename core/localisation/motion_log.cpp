@@ -38,7 +38,8 @@ double MotionLog::paceOf(double speed) {
     m_usual = sum / count; // `quick` itself is always among them
     // Of the first few, all may be standing: what a walk measures at all is not known then.
     if (sorted.size() < kFew) m_usual = std::max(m_usual, kLeastUsual);
-    return std::min(speed / m_usual, kWild);
+    double pace = std::min(speed / m_usual, kWild);
+    return pace > kClearly ? std::pow(pace, m_paceTrust) : pace;
 }
 
 void MotionLog::add(double time, const recognition::Motion& motion) {

@@ -12,7 +12,9 @@ namespace farol::localisation {
 /// The scale of the speed is not known: a walk's own usual speed is taken for 1.
 class MotionLog {
 public:
-    void clear() { *this = MotionLog(); }
+    /// `paceTrust`: of the pace of who walks, see WalkingOptions.
+    explicit MotionLog(double paceTrust = 1.0) : m_paceTrust(paceTrust) {}
+    void clear() { *this = MotionLog(m_paceTrust); }
     void add(double time, const recognition::Motion& motion);
     void now(double time) { m_now = time; }
     /// What is known of the next `seconds`; turns that were measured are handed out once.
@@ -27,6 +29,7 @@ private:
 
     double paceOf(double speed);
 
+    double m_paceTrust = 1.0;
     std::optional<double> m_last; ///< of the last line
     double m_now = 0.0;
     double m_pace = 1.0;         ///< last measured

@@ -64,6 +64,7 @@ SensorOptions SensorOptions::ofCamera() {
     options.camera = true;
     options.detectionsPerSecond = 0.5;
     options.sameKind = 0.97;
+    options.unmappedShare = 0.1;
     options.bearingSigmaDeg = 3.0;
     return options;
 }

@@ -122,10 +122,10 @@ Result<void> SensorOptions::check() const {
     bool rates = detectionsPerSecond > 0.0 && falsePerSecond > 0.0;
     bool sigmas = positionSigmaM > 0.0 && bearingSigmaDeg > 0.0 && zoneSigmaDeg > 0.0 && placeSigmaM > 0.0 &&
                   placeSigmaDeg > 0.0;
-    bool shares = sameKind > 0.0 && sameKind <= 1.0 && mappedFalseText >= 0.0 && mappedFalseText < 1.0 &&
-                  otherTemplate >= 0.0 && otherTemplate <= 1.0 && unsurveyedTwin >= 0.0 &&
-                  unsurveyedTwin <= 1.0 && lookAlikeFalse >= 0.0 && farthestM > 0.0 && sizesAway > 0.0 &&
-                  missShare >= 0.0 && missShare <= 1.0;
+    bool shares = sameKind > 0.0 && sameKind <= 1.0 && unmappedShare >= 0.0 && mappedFalseText >= 0.0 &&
+                  mappedFalseText < 1.0 && otherTemplate >= 0.0 && otherTemplate <= 1.0 &&
+                  unsurveyedTwin >= 0.0 && unsurveyedTwin <= 1.0 && lookAlikeFalse >= 0.0 &&
+                  farthestM > 0.0 && sizesAway > 0.0 && missShare >= 0.0 && missShare <= 1.0;
     if (rates && sigmas && shares) return {};
     return Error{ErrorCode::InvalidArgument, "rates and deviations are above 0, shares from 0 to 1",
                  "bayes.sensors"};
@@ -454,6 +454,11 @@ Look SensorModel::prepare(const Detection& detection) const {
     if (look.hasBearing && detection.kind != Kind::Place) falseLikelihood /= 2.0 * double(kHalfViewDeg);
     look.inverseFalse = static_cast<float>(1.0 / std::max(1e-30, falseLikelihood));
     weighUniform(look);
+    if (detection.kind != Kind::Place) {
+        double unmapped = 1.0 + m_options.unmappedShare * look.uniformRatio;
+        look.inverseFalse = static_cast<float>(double(look.inverseFalse) / unmapped);
+        look.uniformRatio /= unmapped;
+    }
     return look;
 }
 

@@ -27,7 +27,10 @@ struct SensorOptions {
     double detectionsPerSecond = 0.35; ///< of one landmark in full view
     double falsePerSecond = 0.0168;    ///< of things that the map does not hold
     double sameKind = 0.94;            ///< a landmark is reported as what it is
-    double mappedFalseText = 0.15;     ///< share of false texts that stand elsewhere in the map
+    /// For each thing on the map, so many like it that the map does not hold: they are found as surely, but
+    /// anywhere.
+    double unmappedShare = 0.0;
+    double mappedFalseText = 0.15; ///< share of false texts that stand elsewhere in the map
     double textRead = 0.72, textOneOff = 0.2, textTwoOff = 0.03;
     double positionSigmaM = 0.45; ///< of where the walker is beside the straight line
     double bearingSigmaDeg = 4.0;

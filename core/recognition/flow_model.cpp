@@ -14,6 +14,9 @@ namespace {
 constexpr double kHeadingRangeX = 0.6, kHeadingRangeY = 0.24;
 /// Nearer to the focus of expansion a point hardly moves by walking and tells nothing of it.
 constexpr double kMinRadius = 0.08;
+/// Who walks obliquely sees the far end of a corridor beside the way: most points may be far beyond the walls
+/// that the measure of a step assumes, few are nearer.
+constexpr double kNearShare = 0.7;
 
 /// What a small rotation does to a point: flow = rows * rotation vector.
 struct RotationRows {
@@ -184,7 +187,8 @@ std::vector<PointFlow> derotated(std::span<const PointFlow> points, const cv::Ve
     return result;
 }
 
-void measureAdvance(std::span<const PointFlow> points, const FlowModelOptions& options, FlowFit& fit) {
+/// The advance of the points in common, for what is to be refused; the fit gets the one of the near points.
+double measureAdvance(std::span<const PointFlow> points, const FlowModelOptions& options, FlowFit& fit) {
     std::vector<Ray> rays;
     std::vector<Residual> left;
     for (const PointFlow& point : points) {
@@ -203,10 +207,13 @@ void measureAdvance(std::span<const PointFlow> points, const FlowModelOptions& o
         spread += 1.0 / lever;
     }
     fit.inlierShare = static_cast<double>(inliers) / static_cast<double>(points.size());
-    if (ratios.empty()) return;
+    if (ratios.empty()) return 0.0;
     auto count = static_cast<double>(ratios.size());
-    fit.advance = medianOf(ratios);
+    auto near = ratios.begin() + static_cast<std::ptrdiff_t>(kNearShare * (count - 1.0));
+    std::nth_element(ratios.begin(), near, ratios.end());
+    fit.advance = *near;
     fit.advanceNoise = 0.4 * options.inlierDistance * (spread / count) / std::sqrt(count);
+    return medianOf(ratios);
 }
 
 } // namespace
@@ -228,12 +235,11 @@ std::optional<FlowFit> fitFlow(const std::vector<PointFlow>& points, const FlowM
     FlowFit fit;
     fit.heading = best.heading;
     fit.rotation = first.rotation + best.rotation;
-    measureAdvance(derotated(still, best.rotation), options, fit);
+    double common = measureAdvance(derotated(still, best.rotation), options, fit);
     if (fit.inlierShare < options.minInlierShare) return std::nullopt;
     // Nobody walks that far beside where the camera looks, or backwards: something else moves in the view.
-    if (std::abs(fit.heading.x) > options.maxHeadingX && fit.advance > 3.0 * fit.advanceNoise)
-        return std::nullopt;
-    if (fit.advance < -std::max(3.0 * fit.advanceNoise, options.inlierDistance)) return std::nullopt;
+    if (std::abs(fit.heading.x) > options.maxHeadingX && common > 3.0 * fit.advanceNoise) return std::nullopt;
+    if (common < -std::max(3.0 * fit.advanceNoise, options.inlierDistance)) return std::nullopt;
     return fit;
 }
 

@@ -213,7 +213,7 @@ Motion VisualMotion::byWhole(const cv::Mat& grey, bool disagree) {
     if (disagree && !agrees) return {};
     Motion motion;
     motion.turn = Radians{whole->yaw};
-    if (agrees) keepSpeed(motion, 0.0);
+    if (agrees && !disagree) keepSpeed(motion, 0.0);
     return motion;
 }
 

@@ -27,7 +27,7 @@ struct VisualMotionOptions {
     /// Faster turns smear the picture and outrun the search.
     double maxTurnDegreesPerSecond = 220.0;
     /// Between these speeds the state stays what it was, so that it does not flicker.
-    double standingBelow = 0.12, walkingAbove = 0.25;
+    double standingBelow = 0.15, walkingAbove = 0.31;
     FlowModelOptions flow;
     WholeTurnOptions whole;
     /// A turn as a whole whose parts agree this well is one on the spot: who walks sees near things pass by

@@ -12,6 +12,8 @@ namespace {
 
 constexpr const char* kGuidedLocalisers = "bayes-guided";
 constexpr double kGuidedSure = 0.8;
+/// A place that is as likely as not to be another one is no ground for sending anybody through a door.
+constexpr double kUsable = 0.5, kUsableNear = 0.8;
 constexpr std::size_t kMostUnheard = 32; // what waits longer to be said is not said any more
 /// Longer than the guidance takes to tell an order again, which a voice that speaks would then have said.
 constexpr double kForgottenSeconds = 20.0;
@@ -38,6 +40,7 @@ guidance::TrackerOptions trackerOptions(const NavigatorOptions& options) {
     if (filter && tracker.arrivalConfidence == 0.0) tracker.arrivalConfidence = kArrivalConfidence;
     if (filter && tracker.patientSeconds == 0.0) tracker.patientSeconds = kPatientSeconds;
     if (filter && tracker.offRouteSeconds == 0.0) tracker.offRouteSeconds = kGuessedSeconds;
+    if (filter && tracker.guessConfidence == 0.0) tracker.guessConfidence = kUsable;
     return tracker;
 }
 
@@ -92,7 +95,11 @@ Result<void> NavigatorOptions::check() const {
 NavigatorOptions NavigatorOptions::with(const std::string& localiser) {
     NavigatorOptions options;
     options.localiser = localiser;
-    if (localiser.rfind(kGuidedLocalisers, 0) == 0) options.guidance.sureConfidence = kGuidedSure;
+    if (localiser.rfind(kGuidedLocalisers, 0) == 0) {
+        options.guidance.sureConfidence = kGuidedSure;
+        options.guidance.usableConfidence = kUsable;
+        options.guidance.usableNearConfidence = kUsableNear;
+    }
     return options;
 }
 

@@ -98,6 +98,8 @@ Json guidanceJson(const guidance::GuidanceOptions& options) {
     json["unsure_repeat_s"] = exactNumber(options.unsureRepeatSeconds);
     json["off_route_repeat_s"] = exactNumber(options.offRouteRepeatSeconds);
     json["sure_confidence"] = exactNumber(options.sureConfidence);
+    json["usable_confidence"] = exactNumber(options.usableConfidence);
+    json["usable_near_confidence"] = exactNumber(options.usableNearConfidence);
     json["max_sigma_for_distance_m"] = exactNumber(options.maxSigmaForDistanceM);
     return json;
 }
@@ -115,6 +117,8 @@ void readGuidance(JsonFields fields, guidance::GuidanceOptions& options, JsonFie
     options.unsureRepeatSeconds = fields.numberOr("unsure_repeat_s", options.unsureRepeatSeconds);
     options.offRouteRepeatSeconds = fields.numberOr("off_route_repeat_s", options.offRouteRepeatSeconds);
     options.sureConfidence = fields.numberOr("sure_confidence", options.sureConfidence);
+    options.usableConfidence = fields.numberOr("usable_confidence", options.usableConfidence);
+    options.usableNearConfidence = fields.numberOr("usable_near_confidence", options.usableNearConfidence);
     options.maxSigmaForDistanceM = fields.numberOr("max_sigma_for_distance_m", options.maxSigmaForDistanceM);
     if (!fields.ok()) outer.complain("in \"guidance\": " + fields.wrong());
 }

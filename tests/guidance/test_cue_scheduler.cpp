@@ -50,6 +50,35 @@ TEST(CueScheduler, StartOfTheRouteNamesDestinationAndFirstManoeuvre) {
     EXPECT_TRUE(walk.cues.empty());
 }
 
+TEST(CueScheduler, NobodyIsSentThroughADoorByAGuess) {
+    GuidanceOptions honest;
+    honest.usableConfidence = 0.5;
+    honest.usableNearConfidence = 0.8;
+    Guided walk(test::corridorMap(), honest);
+    walk.tracker.setDestination(at("D"));
+    walk.seen("A", 0, 0.9);
+    walk.all.clear();
+    for (int i = 0; i < 2; ++i) walk.seen("K", '2', 0.3);
+    EXPECT_EQ(walk.count(CueKind::Prepare) + walk.count(CueKind::Act), 0U);
+    walk.seen("K", '2', 0.3);
+    EXPECT_EQ(walk.count(CueKind::Unsure), 1U) << "asked to look around instead";
+    Guided near(test::corridorMap(), honest);
+    near.tracker.setDestination(at("D"));
+    near.seen("A", 0, 0.9);
+    near.all.clear();
+    near.fix = {};
+    near.fix.region = RegionId("K");
+    near.fix.confidence = 0.3;
+    near.fix.nearConfidence = 0.9;
+    near.fix.level = 0.0;
+    for (int i = 0; i < 20; ++i) {
+        near.fix.evidenceTime = near.time + 1.0;
+        near.later(1.0);
+    }
+    EXPECT_GE(near.count(CueKind::Prepare) + near.count(CueKind::Act), 1U) << "in it or next to it, surely";
+    EXPECT_EQ(near.count(CueKind::Unsure), 0U);
+}
+
 /// A place seen in the middle of a corridor that runs east; the library lies to the west.
 const Cue* startFacing(Guided& walk, double headingDegrees, Kind kind) {
     walk.tracker.setDestination(at("A"));
@@ -548,6 +577,12 @@ TEST(GuidanceOptions, ValuesOutOfRangeAreRefused) {
     bad = {};
     bad.repeatAfterSeconds = 0.0;
     EXPECT_FALSE(bad.check().ok());
+    bad = {};
+    bad.usableConfidence = -0.1;
+    EXPECT_FALSE(bad.check());
+    bad = {};
+    bad.usableNearConfidence = 1.5;
+    EXPECT_FALSE(bad.check());
     bad = {};
     bad.sureConfidence = 2.0;
     EXPECT_FALSE(bad.check().ok());

@@ -361,6 +361,27 @@ TEST(RouteTracker, AnHourWithoutAFixIsNoWaitingInTheDestination) {
     EXPECT_NE(walk.progress.travel, Travel::Arrived);
 }
 
+TEST(RouteTracker, NoWayBeginsWithAGuessAndNoneIsGivenUpForOneBeforeALookAround) {
+    TrackerOptions honest;
+    honest.guessConfidence = 0.5;
+    honest.guessSeconds = 5.0 * Guided().secondsBetween;
+    Guided walk(test::corridorMap(), {}, honest);
+    walk.tracker.setDestination(at("D"));
+    walk.seen("B", 0, 0.3);
+    EXPECT_EQ(walk.progress.travel, Travel::NoFix) << "a start is a guess as well";
+    walk.seen("A", 0, 0.6);
+    ASSERT_EQ(walk.progress.travel, Travel::OnRoute);
+    EXPECT_EQ(walk.progress.route->regions.front().value, "A");
+    for (int i = 0; i < 5; ++i) {
+        walk.seen("C", 0, 0.3);
+        EXPECT_FALSE(walk.progress.replanned) << i;
+        EXPECT_EQ(walk.count(CueKind::OffRoute), 0U) << i;
+    }
+    EXPECT_GE(walk.count(CueKind::Unsure), 1U) << "who is seen elsewhere is asked to look around";
+    walk.seen("C", 0, 0.3);
+    EXPECT_TRUE(walk.progress.replanned) << "a guess that stays after that is better than nothing";
+}
+
 TEST(RouteTracker, AnUnknownStartIsNoArrivalByAGuess) {
     TrackerOptions honest;
     honest.arrivalConfidence = 0.95;

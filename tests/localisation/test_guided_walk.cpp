@@ -44,6 +44,8 @@ public:
         m_fix = m_localiser->update(0.0, {}, {});
     }
     Blind& walk(double metres) { return move(metres / kSpeed, 0.0, kSpeed); }
+    /// The same steps, told as slower ones.
+    Blind& walkToldAs(double metres, double share) { return move(metres / kSpeed, 0.0, share * kSpeed); }
     Blind& stand(double seconds) { return move(seconds, 0.0, 0.0); }
     Blind& turn(double degrees) { return move(std::abs(degrees) / 75.0, degrees, 0.0); }
     Blind& see(Kind kind, const std::string& templateId, const std::string& text, double rangeM,
@@ -131,6 +133,38 @@ TEST(GuidedWalk, WhoWalksOnStaysInTheCorridor) {
     person.walk(6.0);
     EXPECT_EQ(person.region(), "K");
     EXPECT_GT(person.fix().confidence, 0.7);
+}
+
+TEST(GuidedWalk, AWideRoomThatLooksLikeASlowerWalkHidesFewSteps) {
+    Blind person(corridor(), "K");
+    person.stand(1.0).see(Kind::Poster, "sea", "", 10.5, 3.0).walk(1.5);
+    person.see(Kind::Poster, "sea", "", 9.0, 3.0);
+    ASSERT_TRUE(person.fix().position);
+    double before = person.fix().position->x;
+    person.walkToldAs(3.0, 0.55);
+    ASSERT_TRUE(person.fix().position);
+    EXPECT_GT(person.fix().position->x - before, 0.6 * 3.0);
+}
+
+TEST(GuidedWalk, OneMoreThingLikeThoseOnTheMapMakesNobodySureOfAnotherRoom) {
+    AsciiMap map;
+    map.floor(R"(
++-----------+-----------+
+|A          |B          |
+|           |           |
+|           |           |
++-----/-----+-----/-----+
+|K          e           |
+|    f            g     |
++-----------------------+
+)");
+    map.region('K', {.kind = building::RegionKind::Corridor});
+    for (char spot : {'e', 'f', 'g'})
+        map.landmark(spot, {.kind = Kind::Extinguisher, .templateId = "red", .headingDeg = 90.0});
+    Blind person(map.build(), "A");
+    person.stand(3.0).see(Kind::Extinguisher, "red", "", 3.0, 10.0).stand(3.0);
+    person.see(Kind::Extinguisher, "red", "", 3.0, 10.0).stand(2.0);
+    EXPECT_LT(person.share("K"), 0.98) << "one that nobody has drawn hangs in many a room";
 }
 
 TEST(GuidedWalk, WhoStandsAndLooksRoundStaysWhereTheyAre) {

@@ -112,6 +112,21 @@ TEST(VisualMotion, SpeedIsTheSameInAnotherCorridorOfTheSameWidth) {
     EXPECT_NEAR(one.meanSpeed / two.meanSpeed, 1.0, 0.25);
 }
 
+TEST(VisualMotion, WhoWalksTowardsAWallOfALongCorridorWalks) {
+    constexpr double kOff = 0.4; // the camera looks along the corridor, the feet go towards its wall
+    auto oblique = [](double t) {
+        CameraPose pose = stepping(t, 0.75 * std::cos(kOff));
+        pose.y += 0.9 - 0.75 * std::sin(kOff) * t;
+        return pose;
+    };
+    CorridorLook wide{.halfWidth = 1.1, .height = 2.6, .length = 30.0};
+    Walked straight = walk([](double t) { return stepping(t, 0.75); }, 3.0, wide);
+    Walked along = walk(oblique, 3.0, wide);
+    EXPECT_EQ(along.standing, 0);
+    EXPECT_GT(along.meanSpeed, 0.6 * straight.meanSpeed);
+    EXPECT_LT(along.meanSpeed, 1.6 * straight.meanSpeed);
+}
+
 TEST(VisualMotion, AWalkedBendIsMeasured) {
     CorridorLook hall;
     hall.halfWidth = 6.0;

@@ -65,8 +65,10 @@ Result<Revote> revote(const std::string& folder, const std::string& localiser) {
     const session::NavigatorOptions fresh = session::NavigatorOptions::with(localiser);
     other.localiser = fresh.localiser;
     other.tracker = fresh.tracker;
-    other.guidance.sureConfidence =
-        fresh.guidance.sureConfidence; // each localiser has its own measure of sure
+    // Each localiser has its own measure of sure.
+    other.guidance.sureConfidence = fresh.guidance.sureConfidence;
+    other.guidance.usableConfidence = fresh.guidance.usableConfidence;
+    other.guidance.usableNearConfidence = fresh.guidance.usableNearConfidence;
     auto before = pass(*recording, result.building, std::nullopt);
     if (!before) return before.error();
     auto now = pass(*recording, result.building, other);

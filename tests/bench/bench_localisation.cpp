@@ -72,6 +72,8 @@ std::map<std::string, double*> fieldsOf(BayesOptions& o) {
             {"trustRep", &o.trustRepeated},
             {"repeat", &o.repeatSeconds},
             {"miss", &o.missTrust},
+            {"unmapped", &o.sensors.unmappedShare},
+            {"pace", &w.paceTrust},
             {"climb", &o.climbSees},
             {"even", &o.evenness},
             {"lost", &o.lostRate},

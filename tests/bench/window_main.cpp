@@ -17,6 +17,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
+#include <malloc.h>
 #include <string>
 #include <unistd.h>
 #include <utility>
@@ -64,6 +65,13 @@ private:
     double m_period;
     std::uint64_t m_index = 0;
 };
+
+/// What the program holds; the rest of the resident memory is code, libraries, and holes between what it
+/// holds.
+double allocatedMb() {
+    const struct mallinfo2 info = mallinfo2();
+    return static_cast<double>(info.uordblks + info.hblkhd) / 1e6;
+}
 
 double residentMb() {
     std::ifstream file("/proc/self/statm");
@@ -129,14 +137,16 @@ private:
         m_heart.reset();
         m_shown = m_steps = 0;
         m_firstFrame = m_frame;
-        std::printf("| minute | resident memory, MB |\n|---:|---:|\n| 0 | %.0f |\n", residentMb());
+        std::printf(
+            "| minute | resident memory, MB | of it asked for, MB |\n|---:|---:|---:|\n| 0 | %.0f | %.0f |\n",
+            residentMb(), allocatedMb());
         std::fflush(stdout);
         m_minute.start();
         QTimer::singleShot(static_cast<int>(m_task.seconds * 1000.0), this, [this] { finish(); });
     }
 
     void tellMinute() {
-        std::printf("| %d | %.0f |\n", ++m_minutes, residentMb());
+        std::printf("| %d | %.0f | %.0f |\n", ++m_minutes, residentMb(), allocatedMb());
         std::fflush(stdout);
     }
 

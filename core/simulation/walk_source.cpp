@@ -178,6 +178,7 @@ void WalkSource::setLightsOut(bool out) {
 
 void WalkSource::sendOff() {
     std::scoped_lock lock(m_mutex);
+    m_said.clear(); // "you have arrived" of the way before would be the end of this one
     m_walker->forgetArrival();
     m_arrivedAt.reset();
     m_sentOffAt = m_walker->time();

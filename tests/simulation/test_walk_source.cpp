@@ -118,6 +118,20 @@ TEST_F(WalkSourceTest, ArrivesAndIsSentOffAgain) {
     EXPECT_LE(more, 12);
 }
 
+TEST_F(WalkSourceTest, AnArrivalHeardLateDoesNotEndTheNextWay) {
+    auto walker = source();
+    auto frame = walker->next();
+    ASSERT_TRUE(frame);
+    walker->answer(frame->index, {cue(guidance::CueKind::Arrived, frame->capturedAt)});
+    walker->sendOff(); // the next place is chosen before the sentence has sunk in
+    for (int i = 0; i < 20; ++i) {
+        frame = walker->next();
+        ASSERT_TRUE(frame);
+        walker->answer(frame->index, {});
+    }
+    EXPECT_FALSE(walker->arrived());
+}
+
 TEST_F(WalkSourceTest, AWrongTurnIsNotTalkedOutOf) {
     auto heading = [](WalkSource& walker, std::uint64_t frame) { return walker.truth(frame).pose.heading; };
     auto walker = source();

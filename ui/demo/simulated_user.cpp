@@ -61,6 +61,7 @@ void SimulatedUser::hear(const guidance::Cue& cue) {
 }
 
 void SimulatedUser::setOut() {
+    m_heard.clear(); // was of the way before
     if (m_source) m_source->sendOff();
 }
 

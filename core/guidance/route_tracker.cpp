@@ -109,8 +109,9 @@ RouteTracker::RouteTracker(std::shared_ptr<const building::Building> building,
     : m_building(std::move(building)), m_planner(std::move(planner)), m_options(options) {}
 
 void RouteTracker::setDestination(const std::optional<building::Location>& destination) {
-    m_destination = destination;
     std::uint64_t version = m_progress.routeVersion;
+    if (m_destination) ++version; // what was told of the way there is void at once, not with the next route
+    m_destination = destination;
     m_progress = {};
     m_progress.routeVersion = version;
     if (destination) {

@@ -427,6 +427,15 @@ void KioskMachineTest::arrivalAndRefusal() {
     way.kind = CueKind::RouteStart;
     QVERIFY(m_machine->wants(way));
     QVERIFY(!m_machine->wants(unsure));
+    // The way to the place that was chosen before is not the way to this one.
+    bring(KioskState::Preview);
+    way.region = RegionId{"elsewhere"};
+    QVERIFY(!m_machine->wants(way));
+    arrived.region = RegionId{"elsewhere"};
+    QVERIFY(!m_machine->wants(arrived));
+    QCOMPARE(m_machine->state(), KioskState::Preview);
+    way.region = *m_machine->destination();
+    QVERIFY(m_machine->wants(way));
     bring(KioskState::Choosing);
     // While a place is being chosen nobody is told to walk.
     Cue turn;

@@ -134,6 +134,7 @@ private Q_SLOTS:
     void expiredIsNeverSpoken();
     void cueOfAnotherPlaceIsNeverSpoken();
     void cueOfAnOldRouteIsCutOff();
+    void aWayGivenUpIsNotTold();
     void nothingToMoveWaitsBehindStop();
     void theAnnouncementOfAnOrderIsHeardToItsEnd();
     void anOldDistanceIsNotSpoken();
@@ -361,6 +362,29 @@ void TestSpeechQueue::cueOfAnOldRouteIsCutOff() {
     QCOMPARE(walk.statesOf(kSoonRight).last(), UtteranceState::Expired);
     walk.queue.repeatLast(); // the old route is not repeated either
     QCOMPARE(walk.output.said.last(), QStringLiteral("There is nothing to repeat."));
+}
+
+void TestSpeechQueue::aWayGivenUpIsNotTold() {
+    Walk walk;
+    Cue told = turn(CueKind::Act, 90);
+    told.routeVersion = 3;
+    Cue waiting = turn(CueKind::Prepare, -90, 5.0);
+    waiting.routeVersion = 3;
+    walk.queue.setNow(1.0, std::nullopt, 3);
+    walk.queue.add(told);
+    walk.queue.add(waiting);
+    const QString list = QStringLiteral("Choose a destination.");
+    walk.queue.forgetWay();
+    QVERIFY(!walk.output.speaking());
+    walk.queue.say(list);
+    walk.finishAll();
+    QCOMPARE(walk.output.said.last(), list); // and not the turn that it would have interrupted
+    walk.queue.repeatLast();
+    QCOMPARE(walk.output.said.last(), QStringLiteral("There is nothing to repeat."));
+    // What has nothing to do with a way stays.
+    walk.queue.add(warning(CueReason::PictureCovered));
+    walk.queue.forgetWay();
+    QVERIFY(walk.output.speaking());
 }
 
 void TestSpeechQueue::nothingToMoveWaitsBehindStop() {

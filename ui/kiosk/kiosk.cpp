@@ -92,6 +92,7 @@ void Kiosk::connectMachine() {
     connect(&m_machine, &KioskMachine::asked, this, &Kiosk::answer);
     connect(&m_machine, &KioskMachine::destinationChosen, this,
             [this](const std::optional<RegionId>& region) {
+                m_speech.forgetWay();
                 m_walk.setDestination(region);
                 if (region) {
                     m_user.setOut();

@@ -26,6 +26,12 @@ QString nextLanguage() {
     return all[(at + 1) % all.size()].code;
 }
 
+bool namesDestination(const Cue& cue) {
+    return !cue.region.empty() && !cue.asked &&
+           (cue.kind == CueKind::RouteStart || cue.kind == CueKind::Arrived ||
+            cue.kind == CueKind::AlreadyThere || cue.kind == CueKind::NoRoute);
+}
+
 } // namespace
 
 KioskMachine::KioskMachine(Settings& settings, QObject* parent) : QObject(parent), m_settings(settings) {
@@ -146,6 +152,8 @@ bool KioskMachine::wants(const Cue& cue) {
     const bool warning = cue.priority == CuePriority::Warning;
     const KioskState state = underlying();
     const bool way = state == KioskState::Walking || state == KioskState::Preview;
+    // What was on its way when another destination was chosen.
+    if (m_destination && namesDestination(cue) && cue.region != *m_destination) return false;
     if (m_state == KioskState::Leaving) return warning;
     if (way && (cue.kind == CueKind::Arrived || cue.kind == CueKind::AlreadyThere)) {
         stopSweep();

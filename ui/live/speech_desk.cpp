@@ -62,9 +62,14 @@ void SpeechDesk::setNow(double time, const std::optional<RegionId>& region, std:
     m_queue->setNow(time, region, routeVersion);
 }
 
+void SpeechDesk::forgetWay() {
+    m_queue->forgetWay();
+}
+
 void SpeechDesk::repeatLast() {
     m_queue->repeatLast();
 }
+
 void SpeechDesk::reset() {
     m_queue->clear();
 }

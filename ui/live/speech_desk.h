@@ -25,6 +25,7 @@ public:
     void add(const guidance::Cue& cue);
     void say(const QString& text); ///< the program's own words, at once
     void setNow(double time, const std::optional<RegionId>& region, std::uint64_t routeVersion);
+    void forgetWay();
     void repeatLast();
     void rebuild(); ///< the voice anew, as the settings and `make` now say
     void reset();   ///< a new walk: nothing of the old one is said any more

@@ -337,6 +337,16 @@ void SpeechQueue::interruptForOwn() {
     if (again && !stale(again->cue)) enqueue(std::move(*again));
 }
 
+void SpeechQueue::forgetWay() {
+    const auto ofTheWay = [](const Utterance& utterance) { return utterance.cue.routeVersion != 0; };
+    if (m_lastActionable && ofTheWay(*m_lastActionable)) m_lastActionable.reset();
+    dropWaiting(ofTheWay, UtteranceState::Expired);
+    if (!m_current || !ofTheWay(*m_current)) return;
+    finish(UtteranceState::Interrupted);
+    m_output->stop();
+    speakNext();
+}
+
 void SpeechQueue::setMuted(bool muted) {
     if (muted == m_muted) return;
     m_muted = muted;

@@ -49,6 +49,8 @@ public:
     void useOutput(SpeechOutput& output);
     /// The walk's clock, place and route: stale utterances are dropped by these.
     void setNow(double time, const std::optional<RegionId>& region, std::uint64_t routeVersion);
+    /// The destination was given up or changed: nothing of the way there is told any more, nor repeated.
+    void forgetWay();
     /// The last actionable sentence again, without the distance and direction of that moment.
     void repeatLast();
     void setMuted(bool muted);

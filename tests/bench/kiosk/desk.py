@@ -119,7 +119,8 @@ class Kiosk:
         self._show = show
         self._read = 0
         self._rest = ""
-        self.heard = []  # every utterance as it began, and every key
+        self.heard = []  # every utterance as it began
+        self._asked = 0  # how many of them had begun at the last key
         self.lines = []  # the whole log
         environment = {**os.environ, **(sound.environment if sound else {}), "DISPLAY": screen.name,
                        "HOME": str(self.folder), "XDG_CONFIG_HOME": str(self.folder / "config"),
@@ -148,6 +149,7 @@ class Kiosk:
     def press(self, key):
         if self._show:
             self._show(f"[{key}]")
+        self._asked = len(self.heard)
         return self._screen.press(key)
 
     def hear(self, *parts, seconds=60.0):
@@ -157,6 +159,13 @@ class Kiosk:
             return next((line["text"] for line in self.listen() if any(part in line["text"] for part in parts)), None)
 
         return wait_for(check, seconds, " or ".join(parts))
+
+    def hear_since_key(self, *parts, seconds=60.0):
+        """The same, but it may have begun since the last key already."""
+        for line in self.heard[self._asked:]:
+            if any(part in line["text"] for part in parts):
+                return line["text"]
+        return self.hear(*parts, seconds=seconds)
 
     def leave(self):
         """Escape held down, as the user leaves."""

@@ -83,9 +83,7 @@ class Driver:
         elif way == "arrived":
             self.choose("Office 0.03", "0", "period", "0", "3")
             arrival = ("already there", "there already", "have arrived", "have probably arrived")
-            told = [line["text"] for line in self.kiosk.heard[-2:]]  # it may have come with the answer to the key
-            if not any(words in text for words in arrival for text in told):
-                self.kiosk.hear(*arrival)
+            self.kiosk.hear_since_key(*arrival)
         if state.startswith("two keys"):
             self.two_keys(True)
 
@@ -154,10 +152,11 @@ LANGUAGES = ["português agora", "Ahora hablo español", "Je parle français", "
 
 def restore(driver, key, said):
     """Settings are as before for the next key."""
-    if key == "F2" and not said.startswith("F2:"):
+    # (In the list of keys it is only told of; to a question it is a no like any other key.)
+    if key == "F2" and not said.startswith(("F2:", "Going on")):
         # By what each language says: a new voice begins the sentence again that it found, so that counting misleads.
         if not any(words in said for words in LANGUAGES):  # an answer to the key before came first
-            said = driver.kiosk.hear(*LANGUAGES)
+            said = driver.kiosk.hear_since_key(*LANGUAGES)
         at = next(i for i, words in enumerate(LANGUAGES) if words in said)
         for words in LANGUAGES[at + 1:]:
             driver.say("F2", words)

@@ -1,51 +1,21 @@
 // What a walker hears, in which order, and what is never said.
 
+#include "tests/ui/recording_output.h"
 #include "ui/speech/speech_queue.h"
 
 #include <QSignalSpy>
-#include <QTest>
 
 using namespace farol;
 using guidance::Cue;
 using guidance::CueKind;
 using guidance::CuePriority;
 using guidance::CueReason;
+using test::RecordingOutput;
 using ui::SpeechQueue;
 using ui::Utterance;
 using ui::UtteranceState;
 
 namespace {
-
-/// A voice that speaks until told that it has finished.
-class RecordingOutput : public ui::SpeechOutput {
-public:
-    void say(const QString& text) override {
-        said << text;
-        if (!broken.isEmpty()) {
-            Q_EMIT failed(broken);
-            return;
-        }
-        m_speaking = true;
-    }
-    void stop() override {
-        ++stops;
-        m_speaking = false;
-    }
-    bool speaking() const override { return m_speaking; }
-    QString description() const override { return QStringLiteral("recording"); }
-    void finish() {
-        QVERIFY(m_speaking);
-        m_speaking = false;
-        Q_EMIT finished();
-    }
-
-    QStringList said;
-    QString broken; ///< a message: every text fails with it
-    int stops = 0;
-
-private:
-    bool m_speaking = false;
-};
 
 Cue cueOf(CueKind kind, CuePriority priority, double time = 0.0) {
     Cue cue;

@@ -46,6 +46,12 @@ void CueStep::tellSweep(SweepStep step) {
     add(std::move(cue));
 }
 
+bool CueStep::tellsAWay() const {
+    return std::any_of(m_cues.begin(), m_cues.end(), [](const Cue& cue) {
+        return cue.kind == CueKind::RouteStart || (cue.kind == CueKind::OffRoute && cue.manoeuvre);
+    });
+}
+
 /// Unsure is also who was seen where the route does not expect it, once only: looking around settles it. So
 /// is who is perhaps in the destination already, so that no way begins: silence would be no answer to the
 /// choice.
@@ -59,6 +65,13 @@ void CueStep::tellUnsure() {
                        m_fix.time - m_memory.sweep->toldAt <= 2.0 * m_options.sweepStepSeconds;
         if (turning) tellSweep(SweepStep::Done);
         m_memory.unusableSince.reset();
+        m_memory.sweep.reset();
+        return;
+    }
+    if (tellsAWay()) {
+        // Whoever is told a way, be it on a guess that has lasted, walks: not "I do not know" in the same
+        // breath.
+        m_memory.unusableSince = m_fix.time;
         m_memory.sweep.reset();
         return;
     }

@@ -71,6 +71,7 @@ public:
 
     void tellRoute();
     void tellUnsure();
+    bool tellsAWay() const; ///< in this step
     void tellSweep(SweepStep step);
     void tellRegion();
     void tellObjects(const std::vector<localisation::Observation>& fresh);

@@ -47,6 +47,34 @@ TEST(GuidedWalk, EveryDoorOnTheWayIsToldBeforeItAndArrivalAtTheEnd) {
     EXPECT_EQ(walk.all.back().kind, CueKind::Arrived);
 }
 
+// A guess that lasts leads to another way in the end. The look around that went on until then is over with
+// it.
+TEST(GuidedWalk, NobodyHearsAWayAndThatNobodyKnowsWhereTheyAre) {
+    guidance::GuidanceOptions cautious;
+    cautious.usableConfidence = 0.5;
+    guidance::TrackerOptions patient;
+    patient.guessConfidence = 0.5;
+    patient.guessSeconds = 30.0;
+    Guided walk(test::corridorMap(), cautious, patient);
+    walk.secondsBetween = 1.0;
+    walk.tracker.setDestination(at("D"));
+    walk.seen("A");
+    bool led = false;
+    for (int second = 0; second < 60; ++second) {
+        walk.seen("B", 0, 0.35);
+        if (walk.find(CueKind::OffRoute) != nullptr) {
+            led = true;
+            EXPECT_EQ(walk.find(CueKind::Unsure), nullptr) << "at " << walk.time;
+            walk.all.clear();
+        }
+    }
+    ASSERT_TRUE(led);
+    auto asked = std::find_if(walk.all.begin(), walk.all.end(),
+                              [](const Cue& cue) { return cue.kind == CueKind::Unsure; });
+    ASSERT_NE(asked, walk.all.end()) << "still a guess";
+    EXPECT_EQ(asked->sweep, guidance::SweepStep::Right) << "from the beginning";
+}
+
 TEST(GuidedWalk, ASecondRouteStartsClean) {
     Guided walk;
     walk.tracker.setDestination(at("D"));

@@ -10,6 +10,8 @@
 #include "ui/main_window/main_window.h"
 
 #include <QApplication>
+#include <QKeyEvent>
+#include <QLineEdit>
 #include <QTemporaryDir>
 #include <QTimer>
 
@@ -26,13 +28,14 @@ namespace farol::bench {
 
 namespace {
 
-constexpr int kWarmingMs = 5000;
+constexpr int kWarmingMs = 5000, kKeyMs = 400;
 
 struct Task {
     std::string library, film;
     double seconds = 60.0;
     std::size_t regions = 10000;
     double framesPerSecond = 30.0;
+    bool typing = false;
 };
 
 /// A film that begins again at its end, while its clock goes on.
@@ -122,6 +125,8 @@ public:
                          });
         QObject::connect(&m_minute, &QTimer::timeout, this, [this] { tellMinute(); });
         m_minute.setInterval(60000);
+        QObject::connect(&m_hands, &QTimer::timeout, this, [this] { typeNext(); });
+        m_hands.setInterval(kKeyMs);
     }
 
 private:
@@ -142,7 +147,26 @@ private:
             residentMb(), allocatedMb());
         std::fflush(stdout);
         m_minute.start();
+        if (m_task.typing) m_hands.start();
         QTimer::singleShot(static_cast<int>(m_task.seconds * 1000.0), this, [this] { finish(); });
+    }
+
+    /// An assistant who looks for a destination all the time, and leaves it at that.
+    void typeNext() {
+        for (QLineEdit* line : m_window.findChildren<QLineEdit*>()) {
+            if (line->accessibleName() != QLatin1String("Destination")) continue;
+            const QString text = QStringLiteral("room 1");
+            const bool over = m_keys % (text.size() + 1) == text.size();
+            const QString letter = over ? QString() : text.mid(m_keys % (text.size() + 1), 1);
+            ++m_keys;
+            QKeyEvent press(QEvent::KeyPress, over ? int(Qt::Key_Escape) : int(letter[0].toUpper().unicode()),
+                            Qt::NoModifier, letter);
+            if (QWidget* list = QApplication::activePopupWidget())
+                QApplication::sendEvent(list, &press);
+            else
+                QApplication::sendEvent(line, &press);
+            return;
+        }
     }
 
     void tellMinute() {
@@ -152,6 +176,8 @@ private:
 
     void finish() {
         m_minute.stop();
+        m_hands.stop();
+        if (m_task.typing) std::printf("\n%lld keys were pressed\n", static_cast<long long>(m_keys));
         const auto due = static_cast<double>(m_frame - m_firstFrame);
         std::printf("\n%.0f pictures were due in %.0f s, %zu went through the chain, %zu were shown; at most "
                     "%zu places "
@@ -168,7 +194,8 @@ private:
     ui::MainWindow& m_window;
     Heartbeat m_heart;
     std::vector<Beat> m_opening;
-    QTimer m_minute;
+    QTimer m_minute, m_hands;
+    qsizetype m_keys = 0;
     std::size_t m_shown = 0, m_steps = 0, m_votes = 0;
     std::uint64_t m_frame = 0, m_firstFrame = 0;
     int m_minutes = 0;
@@ -222,12 +249,15 @@ int run(const Task& task, int argc, char** argv) {
 
 int main(int argc, char** argv) {
     const auto usage = [] {
-        std::fprintf(stderr,
-                     "usage: farol-bench-window LIBRARY FILM [--seconds S] [--regions N] [--fps F]\n");
+        std::fprintf(
+            stderr,
+            "usage: farol-bench-window LIBRARY FILM [--seconds S] [--regions N] [--fps F] [--typing]\n");
         return 2;
     };
-    if (argc < 3 || argc % 2 == 0) return usage();
     farol::bench::Task task;
+    task.typing = argc > 3 && std::strcmp(argv[argc - 1], "--typing") == 0;
+    if (task.typing) --argc;
+    if (argc < 3 || argc % 2 == 0) return usage();
     task.library = argv[1];
     task.film = argv[2];
     for (int i = 3; i + 1 < argc; i += 2) {

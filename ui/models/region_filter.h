@@ -4,6 +4,8 @@
 #include <QSortFilterProxyModel>
 #include <QStringList>
 
+#include <vector>
+
 namespace farol::ui {
 
 /// Best first: the whole name, then names that begin with the text, then the rest in the model's order.
@@ -20,10 +22,11 @@ protected:
     bool lessThan(const QModelIndex& left, const QModelIndex& right) const override;
 
 private:
-    int rank(const QModelIndex& index) const;
+    int rank(const QString& words, const QModelIndex& index) const;
 
     QString m_folded;
     QStringList m_words;
+    mutable std::vector<int> m_ranks; ///< of the rows that were accepted: sorting asks for each many times
 };
 
 } // namespace farol::ui

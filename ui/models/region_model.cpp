@@ -13,16 +13,21 @@ void RegionModel::setBuilding(std::shared_ptr<const building::Building> building
     beginResetModel();
     m_building = std::move(building);
     m_order.clear();
+    m_search.clear();
     if (m_building) {
         const auto& regions = m_building->regions();
         const std::string language = toUtf8(installedLanguage());
-        for (std::size_t i = 0; i < regions.size(); ++i) m_order.push_back(i);
+        std::vector<std::string> names; // made once, not for each of the comparisons
+        for (std::size_t i = 0; i < regions.size(); ++i) {
+            m_order.push_back(i);
+            names.push_back(spokenName(regions[i], language));
+        }
         std::stable_sort(m_order.begin(), m_order.end(), [&](std::size_t a, std::size_t b) {
             const building::Region& first = regions[a];
             const building::Region& second = regions[b];
             if (first.name.empty() != second.name.empty()) return second.name.empty();
             if (first.level != second.level) return first.level < second.level;
-            return naturalLess(spokenName(first, language), spokenName(second, language));
+            return naturalLess(names[a], names[b]);
         });
     }
     endResetModel();
@@ -49,6 +54,21 @@ QString RegionModel::labelOf(const RegionId& id) const {
     return region ? label(*region) : toQString(id.value);
 }
 
+const QString& RegionModel::searchWords(std::size_t row, const building::Region& region) const {
+    if (m_search.size() != m_order.size() || m_searchLanguage != installedLanguage()) {
+        m_search.assign(m_order.size(), QString());
+        m_searchLanguage = installedLanguage();
+    }
+    QString& folded = m_search[row];
+    if (folded.isNull()) {
+        const QString words = QStringLiteral("%1 %2 %3 %4")
+                                  .arg(label(region), toQString(region.ref), toQString(region.id.value),
+                                       toQString(region.name));
+        folded = toQString(foldedForMatching(toUtf8(words)));
+    }
+    return folded;
+}
+
 int RegionModel::rowCount(const QModelIndex& parent) const {
     return parent.isValid() ? 0 : static_cast<int>(m_order.size());
 }
@@ -66,12 +86,8 @@ QVariant RegionModel::data(const QModelIndex& index, int role) const {
         return toQString(region.id.value);
     case LevelRole:
         return region.level;
-    case SearchRole: {
-        const QString words = QStringLiteral("%1 %2 %3 %4")
-                                  .arg(label(region), toQString(region.ref), toQString(region.id.value),
-                                       toQString(region.name));
-        return toQString(foldedForMatching(toUtf8(words)));
-    }
+    case SearchRole:
+        return searchWords(static_cast<std::size_t>(index.row()), region);
     default:
         return {};
     }

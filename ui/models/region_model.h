@@ -31,9 +31,13 @@ public:
 
 private:
     QString label(const building::Region& region) const;
+    const QString& searchWords(std::size_t row, const building::Region& region) const;
 
     std::shared_ptr<const building::Building> m_building;
     std::vector<std::size_t> m_order;
+    mutable std::vector<QString>
+        m_search;                     ///< folded, of each row that was asked for: a key typed asks for all
+    mutable QString m_searchLanguage; ///< in which the levels are named there
 };
 
 } // namespace farol::ui

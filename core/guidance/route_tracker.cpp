@@ -87,7 +87,8 @@ Result<void> TrackerOptions::check() const {
     if (!(offRouteConfidence >= 0.0 && offRouteConfidence <= 1.0)) {
         return Error{ErrorCode::InvalidArgument, "a confidence is from 0 to 1", "tracker.offRouteConfidence"};
     }
-    if (!(guessConfidence >= 0.0 && guessConfidence <= 1.0 && guessSeconds >= 0.0)) {
+    if (!(guessConfidence >= 0.0 && guessConfidence <= 1.0 && guessSeconds >= 0.0 &&
+          hopelessConfidence >= 0.0 && hopelessConfidence <= 1.0)) {
         return Error{ErrorCode::InvalidArgument, "a confidence is from 0 to 1, a time not negative",
                      "tracker.guessConfidence"};
     }
@@ -186,6 +187,7 @@ bool RouteTracker::believed(const Fix& fix) {
         return sure || m_progress.doubtful;
     }
     if (fix.confidence >= m_options.offRouteConfidence) return true;
+    if (fix.confidence < m_options.hopelessConfidence) return false;
     double lasts = isGuess(fix) ? m_options.guessSeconds : m_options.offRouteSeconds;
     return m_doubtfulFixes >= m_options.offRouteFixes && fix.time - m_doubtSince >= lasts;
 }

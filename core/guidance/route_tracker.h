@@ -39,6 +39,8 @@ struct TrackerOptions {
     /// Below this confidence a fix is a guess: no way begins with it, and none is given up for it, before it
     /// has lasted longer than a look around takes.
     double guessConfidence = 0.0, guessSeconds = 30.0;
+    /// Below this nobody knows where the user is, however long it lasts: no way follows from it.
+    double hopelessConfidence = 0.0;
     double minConfidence = 0.0; ///< fixes below change nothing
     /// Above 0: a fix in the destination is believed at this confidence only, and only once something was
     /// seen after the first one. For localisers whose confidence is a probability.

@@ -14,6 +14,7 @@ constexpr const char* kGuidedLocalisers = "bayes-guided";
 constexpr double kGuidedSure = 0.8;
 /// A place that is as likely as not to be another one is no ground for sending anybody through a door.
 constexpr double kUsable = 0.5, kUsableNear = 0.8;
+constexpr double kHopeless = 0.15;
 constexpr std::size_t kMostUnheard = 32; // what waits longer to be said is not said any more
 /// Longer than the guidance takes to tell an order again, which a voice that speaks would then have said.
 constexpr double kForgottenSeconds = 20.0;
@@ -41,6 +42,7 @@ guidance::TrackerOptions trackerOptions(const NavigatorOptions& options) {
     if (filter && tracker.patientSeconds == 0.0) tracker.patientSeconds = kPatientSeconds;
     if (filter && tracker.offRouteSeconds == 0.0) tracker.offRouteSeconds = kGuessedSeconds;
     if (filter && tracker.guessConfidence == 0.0) tracker.guessConfidence = kUsable;
+    if (filter && tracker.hopelessConfidence == 0.0) tracker.hopelessConfidence = kHopeless;
     return tracker;
 }
 

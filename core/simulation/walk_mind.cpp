@@ -28,6 +28,7 @@ constexpr double kLateOrderS = 25.0, kLateUnnamedS = 4.0;
 /// Told nothing more, one walks on so far and stands; the long silence after which one tries a little
 /// further.
 constexpr double kWalkOnM = 6.0, kPatienceS = 12.0;
+constexpr double kFewStepsM = 4.0;
 /// Behind the last door one is there.
 constexpr double kInsideM = 1.5;
 /// A distance that was told is trusted this far.
@@ -78,11 +79,20 @@ void WalkMind::hear(const WalkInstruction& instruction) {
             m_sweepBack = 0.0;
             m_sweep = SweepStep::None;
         }
+        if (m_sweep == SweepStep::AskForHelp) fewSteps();
         break;
     case Order::Go:
         go(instruction);
         break;
     }
+}
+
+/// "Move a few steps along a wall": also who was not told of any way yet.
+void WalkMind::fewSteps() {
+    if (m_task.feature != Feature::None) return;
+    m_halted = false;
+    m_legKnown = true;
+    m_toldM = kWalkOnM - kFewStepsM;
 }
 
 void WalkMind::go(const WalkInstruction& instruction) {

@@ -42,6 +42,7 @@ public:
 private:
     enum class Trail { None, Left, Right };
 
+    void fewSteps();
     void go(const WalkInstruction& instruction);
     void look(double seconds);
     std::optional<Wish> turning(double seconds);

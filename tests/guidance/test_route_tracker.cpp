@@ -403,6 +403,22 @@ TEST(RouteTracker, NoWayBeginsWithAGuessAndNoneIsGivenUpForOneBeforeALookAround)
     EXPECT_TRUE(walk.progress.replanned) << "a guess that stays after that is better than nothing";
 }
 
+TEST(RouteTracker, NoWayFollowsFromAHopelessGuessHoweverLongItLasts) {
+    TrackerOptions honest;
+    honest.guessConfidence = 0.5;
+    honest.guessSeconds = 5.0 * Guided().secondsBetween;
+    honest.hopelessConfidence = 0.25;
+    Guided walk(test::corridorMap(), {}, honest);
+    walk.tracker.setDestination(at("D"));
+    for (int i = 0; i < 20; ++i) walk.seen("B", 0, 0.2);
+    EXPECT_EQ(walk.count(CueKind::RouteStart), 0U);
+    walk.seen("A", 0, 0.6);
+    for (int i = 0; i < 20; ++i) walk.seen("C", 0, 0.2);
+    EXPECT_EQ(walk.count(CueKind::OffRoute), 0U);
+    walk.seen("C", 0, 0.3);
+    EXPECT_EQ(walk.count(CueKind::OffRoute), 1U) << "a guess that has lasted by then";
+}
+
 TEST(RouteTracker, AnUnknownStartIsNoArrivalByAGuess) {
     TrackerOptions honest;
     honest.arrivalConfidence = 0.95;
@@ -421,6 +437,7 @@ TEST(TrackerOptions, ValuesOutOfRangeAreRefused) {
     EXPECT_FALSE(TrackerOptions{.offRouteSeconds = -1.0}.check().ok());
     EXPECT_FALSE(TrackerOptions{.offRouteConfidence = 1.6}.check().ok());
     EXPECT_FALSE(TrackerOptions{.minConfidence = -1.0}.check().ok());
+    EXPECT_FALSE(TrackerOptions{.hopelessConfidence = -0.1}.check().ok());
     EXPECT_FALSE(TrackerOptions{.arrivalConfidence = 1.5}.check().ok());
 }
 

@@ -145,6 +145,32 @@ TEST(Walker, ToldNothingStands) {
     EXPECT_EQ(walker->position(), start) << "being told the place is no order";
 }
 
+TEST(Walker, WhoIsAskedToMoveAFewStepsDoesSoAndNoMore) {
+    auto building = test::asciiMap(R"(
+        +--------------------+
+        |                    |
+        |         A          |
+        |                    |
+        +--------------------+
+    )");
+    WalkerOptions options;
+    options.stopsPerSecond = options.looksPerSecond = 0.0;
+    auto walker = walkerIn(building, {RegionId("A"), {}}, options);
+    Cue lost;
+    lost.kind = CueKind::Unsure;
+    lost.sweep = guidance::SweepStep::AskForHelp;
+    walker->hear(lost);
+    Point2 before = walker->position();
+    double gone = 0.0;
+    for (int step = 1; step <= 50; ++step) {
+        walker->walkUntil(0.2 * step);
+        gone += std::hypot(walker->position().x - before.x, walker->position().y - before.y);
+        before = walker->position();
+    }
+    EXPECT_GT(gone, 2.5);
+    EXPECT_LT(gone, 5.5);
+}
+
 TEST(Walker, FindsTheOnlyDoorOfARoomAndStopsAtTheArrival) {
     AsciiMap map;
     map.floor(R"(

@@ -5551,6 +5551,24 @@ Open one with Ctrl+O.</source>
         <translation>gehen Sie durch die %1 Öffnung %2</translation>
     </message>
     <message>
+        <source>follow the wall on your left and go through the opening</source>
+        <translation>folgen Sie der Wand links von Ihnen und gehen Sie durch die Öffnung</translation>
+    </message>
+    <message>
+        <source>follow the wall on your right and go through the opening</source>
+        <translation>folgen Sie der Wand rechts von Ihnen und gehen Sie durch die Öffnung</translation>
+    </message>
+    <message>
+        <extracomment>%1 &quot;second&quot;</extracomment>
+        <source>follow the wall on your left and go through the %1 door</source>
+        <translation>folgen Sie der Wand links von Ihnen und gehen Sie durch die %1 Tür</translation>
+    </message>
+    <message>
+        <extracomment>%1 &quot;second&quot;</extracomment>
+        <source>follow the wall on your right and go through the %1 door</source>
+        <translation>folgen Sie der Wand rechts von Ihnen und gehen Sie durch die %1 Tür</translation>
+    </message>
+    <message>
         <source>%1, then %2</source>
         <extracomment>%1 &quot;go through the door&quot;, %2 &quot;turn left&quot;</extracomment>
         <translation>%1, dann %2</translation>

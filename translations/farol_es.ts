@@ -5551,6 +5551,24 @@ Abra uno con Ctrl+O.</translation>
         <translation>cruce la %1 abertura %2</translation>
     </message>
     <message>
+        <source>follow the wall on your left and go through the opening</source>
+        <translation>siga la pared a su izquierda y cruce la abertura</translation>
+    </message>
+    <message>
+        <source>follow the wall on your right and go through the opening</source>
+        <translation>siga la pared a su derecha y cruce la abertura</translation>
+    </message>
+    <message>
+        <extracomment>%1 &quot;second&quot;</extracomment>
+        <source>follow the wall on your left and go through the %1 door</source>
+        <translation>siga la pared a su izquierda y cruce la %1 puerta</translation>
+    </message>
+    <message>
+        <extracomment>%1 &quot;second&quot;</extracomment>
+        <source>follow the wall on your right and go through the %1 door</source>
+        <translation>siga la pared a su derecha y cruce la %1 puerta</translation>
+    </message>
+    <message>
         <source>%1, then %2</source>
         <extracomment>%1 &quot;go through the door&quot;, %2 &quot;turn left&quot;</extracomment>
         <translation>%1, luego %2</translation>

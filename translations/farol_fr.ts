@@ -5551,6 +5551,24 @@ Ouvrez-en une avec Ctrl+O.</translation>
         <translation>passez par la %1 ouverture %2</translation>
     </message>
     <message>
+        <source>follow the wall on your left and go through the opening</source>
+        <translation>suivez le mur à votre gauche et passez par l&apos;ouverture</translation>
+    </message>
+    <message>
+        <source>follow the wall on your right and go through the opening</source>
+        <translation>suivez le mur à votre droite et passez par l&apos;ouverture</translation>
+    </message>
+    <message>
+        <extracomment>%1 &quot;second&quot;</extracomment>
+        <source>follow the wall on your left and go through the %1 door</source>
+        <translation>suivez le mur à votre gauche et passez par la %1 porte</translation>
+    </message>
+    <message>
+        <extracomment>%1 &quot;second&quot;</extracomment>
+        <source>follow the wall on your right and go through the %1 door</source>
+        <translation>suivez le mur à votre droite et passez par la %1 porte</translation>
+    </message>
+    <message>
         <source>%1, then %2</source>
         <extracomment>%1 &quot;go through the door&quot;, %2 &quot;turn left&quot;</extracomment>
         <translation>%1, puis %2</translation>

@@ -5864,6 +5864,24 @@ Abra um com Ctrl+O.</translation>
         <translation>atravesse a %1 abertura %2</translation>
     </message>
     <message>
+        <source>follow the wall on your left and go through the opening</source>
+        <translation>siga a parede à sua esquerda e atravesse a abertura</translation>
+    </message>
+    <message>
+        <source>follow the wall on your right and go through the opening</source>
+        <translation>siga a parede à sua direita e atravesse a abertura</translation>
+    </message>
+    <message>
+        <extracomment>%1 &quot;second&quot;</extracomment>
+        <source>follow the wall on your left and go through the %1 door</source>
+        <translation>siga a parede à sua esquerda e atravesse a %1 porta</translation>
+    </message>
+    <message>
+        <extracomment>%1 &quot;second&quot;</extracomment>
+        <source>follow the wall on your right and go through the %1 door</source>
+        <translation>siga a parede à sua direita e atravesse a %1 porta</translation>
+    </message>
+    <message>
         <source>%1, then %2</source>
         <extracomment>%1 &quot;go through the door&quot;, %2 &quot;turn left&quot;</extracomment>
         <translation>%1, depois %2</translation>

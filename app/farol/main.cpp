@@ -3,6 +3,7 @@
 #include "app/farol/kiosk_program.h"
 #include "app/farol/options.h"
 #include "app/farol/screenshot.h"
+#include "core/base/memory.h"
 #include "ui/main_window/main_window.h"
 
 #include <QApplication>
@@ -12,6 +13,7 @@
 
 int main(int argc, char** argv) {
     if (farol::wantsKeeping(argc, argv)) return farol::keepKioskRunning(argc, argv);
+    farol::keepHeapSmall();
     QApplication application(argc, argv);
     QApplication::setApplicationName(QStringLiteral("farol"));
     QApplication::setApplicationDisplayName(QStringLiteral("Farol"));

@@ -217,10 +217,9 @@ Cue CueStep::answerNext() const {
     if (!isNear && distanceIsGood()) cue.distanceM = m_progress.distanceM;
     cue.soon = isSoon();
     fillManoeuvre(cue, *m_progress.next, m_progress.afterNext);
-    countDoors(*cue.manoeuvre);
-    cue.facingWay = facesWay();
-    orient(cue);
-    if (!isNear && cue.facingWay && !cue.turnFirst) cue.mark = mark(*m_progress.next);
+    locate(cue, *m_progress.next);
+    if (!isNear && cue.facingWay && !cue.turnFirst && !cue.manoeuvre->alongWall)
+        cue.mark = mark(*m_progress.next);
     return cue;
 }
 
@@ -238,6 +237,7 @@ std::vector<Cue> CueStep::stepsFrom(std::size_t first, bool fromHere) const {
         bool isFirst = steps.empty();
         if (isFirst) cue.facingWay = facesWay();
         if (isFirst && fromHere) countDoors(*cue.manoeuvre);
+        if (all[i].alongWall && !cue.manoeuvre->alongWall) cue.facingWay = false;
         steps.push_back(std::move(cue));
     }
     return steps;

@@ -15,8 +15,6 @@ using routing::ManoeuvreKind;
 
 namespace {
 
-/// How fast a position gets stale: the pace of a blind walker (routing::RouteOptions).
-constexpr double kWalkingSpeed = 0.8;
 /// An order to act does not cut off the announcement of the same manoeuvre, unless it is due at once.
 constexpr double kActAfterPrepareSeconds = 4.0;
 constexpr double kActAtOnceSeconds = 3.0;
@@ -27,10 +25,6 @@ constexpr double kActAfterStartSeconds = 9.0;
 constexpr double kNoReassuranceM = 3.0;
 /// Who is on the stairs or in the lift is not sent there again.
 constexpr double kOnStairsSeconds = 60.0;
-/// Later than this a door is announced even if it cannot be told which of several it is.
-constexpr double kCountingM = 4.0;
-constexpr double kBesideM = 1.8; ///< a way too short to walk along a wall
-constexpr double kJustEnteredSeconds = 2.0;
 /// What follows within this distance is told in the same breath.
 constexpr double kCompoundM = 4.0;
 /// The length of the way is told although the spot in the start region is unknown once it is longer than
@@ -61,7 +55,7 @@ std::optional<Manoeuvre> inTheSameBreath(const Manoeuvre& first, const std::opti
     if (!second || second->kind == ManoeuvreKind::Start) return std::nullopt;
     // Behind the last door one is there, however far its middle is.
     if (second->kind == ManoeuvreKind::Arrive && first.kind != ManoeuvreKind::Turn) return second;
-    if (changesLevel(first.kind)) return std::nullopt;
+    if (changesLevel(first.kind) || first.alongWall) return std::nullopt;
     return second->atM - first.atM <= kCompoundM ? second : std::nullopt;
 }
 
@@ -150,55 +144,6 @@ bool CueStep::placeIsGood() const {
            std::hypot(m_fix.sigmaM, kWalkingSpeed * age()) <= m_options.maxSigmaForDistanceM;
 }
 
-/// The number that the route knows counts from where its leg begins; here and now it is another one.
-void CueStep::countDoors(Manoeuvre& manoeuvre) const {
-    if (manoeuvre.side == routing::Side::None) return;
-    bool justEntered = m_progress.regionsPassed > 0 && m_fix.time - m_memory.enteredAt < kJustEnteredSeconds;
-    // Before its leg has begun it is the route's own.
-    if (m_progress.route && m_progress.route->regions[m_progress.regionsPassed] != manoeuvre.from) return;
-    bool turnsBefore = m_progress.next && m_progress.next->kind == ManoeuvreKind::Turn;
-    if (m_fix.position && m_fix.level == manoeuvre.level) {
-        double sigma = std::max(kStraightM, std::hypot(m_fix.sigmaM, kWalkingSpeed * age()));
-        manoeuvre.number =
-            m_sure && !turnsBefore ? countedFrom(m_building, manoeuvre, *m_fix.position, sigma) : 0;
-    } else if (!justEntered || turnsBefore) {
-        manoeuvre.number = 0;
-    }
-}
-
-/// Which of several doors it is will be plain some steps further on; until then the next one would be taken.
-bool CueStep::waitsForCount(const Manoeuvre& manoeuvre, double measuredM) const {
-    if (manoeuvre.side == routing::Side::None || !facesWay()) return false;
-    if (!placeIsGood()) {
-        bool isNext = m_fix.position && countedFrom(m_building, manoeuvre, *m_fix.position, kStraightM) == 1;
-        return !isNext && measuredM > m_options.actDistanceM;
-    }
-    Manoeuvre counted = manoeuvre;
-    countDoors(counted);
-    return counted.number == 0 && !mark(manoeuvre) && measuredM > kCountingM;
-}
-
-std::optional<Mark> CueStep::mark(const Manoeuvre& manoeuvre) const {
-    if (!placeIsGood() || !m_progress.distanceM || m_fix.level != manoeuvre.level) return std::nullopt;
-    bool straight = *m_progress.distanceM - distance(manoeuvre.position, *m_fix.position) <= kStraightM;
-    return straight ? markBefore(m_building, manoeuvre, *m_fix.position, m_fix.sigmaM) : std::nullopt;
-}
-
-/// A door close beside the one that one has come through is on a side, too, though nobody walks along a wall
-/// to it; and so is one in the side wall of a corridor that is too wide for its walls to be followed.
-void CueStep::setShortSide(Manoeuvre& manoeuvre) const {
-    if (!m_progress.route || !manoeuvre.behind || manoeuvre.side != routing::Side::None) return;
-    double towards = wrapped(manoeuvre.turn - *manoeuvre.behind).value, before = -kBesideM;
-    for (const Manoeuvre& each : m_progress.route->manoeuvres)
-        if (each.kind != ManoeuvreKind::Start && each.atM < manoeuvre.atM) before = each.atM;
-    const building::Region* from = m_building.region(manoeuvre.from);
-    bool along = from != nullptr && from->kind == building::RegionKind::Corridor;
-    bool beside = along || manoeuvre.atM - before < kBesideM;
-    if (std::abs(towards) < kTurnFirst.value || !beside) return;
-    manoeuvre.side = towards > 0.0 ? routing::Side::Left : routing::Side::Right;
-    manoeuvre.number = 0;
-}
-
 /// What a manoeuvre leads into, what follows at once, and where it still holds.
 void CueStep::fillManoeuvre(Cue& cue, const Manoeuvre& manoeuvre,
                             const std::optional<Manoeuvre>& after) const {
@@ -225,9 +170,7 @@ void CueStep::fillManoeuvre(Cue& cue, const Manoeuvre& manoeuvre,
 
 void CueStep::addManoeuvre(Cue cue, const Manoeuvre& manoeuvre, const std::optional<Manoeuvre>& after) {
     fillManoeuvre(cue, manoeuvre, after);
-    countDoors(*cue.manoeuvre);
-    cue.facingWay = facesWay();
-    orient(cue);
+    locate(cue, manoeuvre);
     if (m_building.region(manoeuvre.into) != nullptr) m_memory.announcedInto[manoeuvre.into] = m_fix.time;
     m_memory.told[keyOf(manoeuvre)] = m_fix.time;
     if (cue.turnFirst) m_memory.turnToldAt = m_fix.time;
@@ -466,8 +409,12 @@ void CueStep::tellMeasured(const Manoeuvre& next) {
                               m_fix.time - toldAt->second < startPause;
         bool holdBack = toldRecently(m_memory.told, key, pause) || startIsToldNow ||
                         toldRecently(m_memory.acted, key, repeatAfter);
+        // Which of several doors it is has been told at the first of them.
+        holdBack =
+            holdBack || (next.alongWall && toldRecently(m_memory.told, key, m_options.repeatAfterSeconds));
         if (holdBack || tellWhatFollows(next, measured)) return;
-        Cue cue = routeCue(CueKind::Act, CuePriority::ActNow, kActSeconds);
+        Cue cue = next.alongWall ? routeCue(CueKind::Prepare, CuePriority::Prepare, kPrepareSeconds)
+                                 : routeCue(CueKind::Act, CuePriority::ActNow, kActSeconds);
         addManoeuvre(std::move(cue), next, m_progress.afterNext);
     } else if (expected <= m_options.prepareDistanceM) {
         bool again = near && !toldRecently(m_memory.told, key, m_options.repeatAfterSeconds);

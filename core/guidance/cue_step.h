@@ -83,6 +83,8 @@ public:
 private:
     /// What is told of the very spot rests on a position and a heading no older than this: 1.6 m of walking.
     static constexpr double kFreshSeconds = 2.0;
+    /// How fast a position gets stale: the pace of a blind walker (routing::RouteOptions).
+    static constexpr double kWalkingSpeed = 0.8;
     /// Below, the user faces the way well enough to just walk.
     static constexpr Radians kTurnFirst = fromDegrees(60.0);
     /// A way that is no more than this longer than the straight line is straight.
@@ -122,7 +124,10 @@ private:
     void fillManoeuvre(Cue& cue, const routing::Manoeuvre& manoeuvre,
                        const std::optional<routing::Manoeuvre>& after) const;
     void setShortSide(routing::Manoeuvre& manoeuvre) const;
+    void locate(Cue& cue, const routing::Manoeuvre& manoeuvre) const;
     void countDoors(routing::Manoeuvre& manoeuvre) const;
+    void countAlongWall(routing::Manoeuvre& manoeuvre) const;
+    bool standsInEntrance(const routing::Manoeuvre& manoeuvre) const;
     bool waitsForCount(const routing::Manoeuvre& manoeuvre, double measuredM) const;
     std::optional<Mark> mark(const routing::Manoeuvre& manoeuvre) const;
     bool staysInLift(const routing::Manoeuvre& manoeuvre) const;

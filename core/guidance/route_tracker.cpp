@@ -39,6 +39,8 @@ constexpr double kSureConfidence = 0.5;
 constexpr double kStepM = 0.3;      // of a walker, between two observations that count
 constexpr double kDirectionM = 1.0; // from so far on a displacement has a direction
 constexpr int kObservationsAstray = 2;
+/// Of an opening that leads to the destination: so near to it one has not arrived before so long.
+constexpr double kThresholdM = 0.6, kThresholdSeconds = 3.0;
 
 /// Does the way begin with the only access between where one is and where one was?
 bool leadsBack(const building::Building& building, const Route& route, const RegionId& before) {
@@ -182,7 +184,7 @@ bool RouteTracker::believed(const Fix& fix) {
     }
     bool arrival = m_options.arrivalConfidence > 0.0 && fix.region == m_destination->region;
     if (arrival) {
-        bool sure = fix.confidence >= m_options.arrivalConfidence && m_doubtfulFixes > 1;
+        bool sure = fix.confidence >= m_options.arrivalConfidence && m_doubtfulFixes > 1 && !onThreshold(fix);
         m_progress.doubtful = !sure && waitedLong(fix);
         return sure || m_progress.doubtful;
     }
@@ -190,6 +192,16 @@ bool RouteTracker::believed(const Fix& fix) {
     if (fix.confidence < m_options.hopelessConfidence) return false;
     double lasts = isGuess(fix) ? m_options.guessSeconds : m_options.offRouteSeconds;
     return m_doubtfulFixes >= m_options.offRouteFixes && fix.time - m_doubtSince >= lasts;
+}
+
+/// An opening has no leaf to pass: who is between its sides is as soon out again as in.
+bool RouteTracker::onThreshold(const Fix& fix) const {
+    if (!m_progress.route || m_progress.route->accesses.empty() || !fix.position || !m_thereSince)
+        return false;
+    const building::Access* last = m_building->access(m_progress.route->accesses.back());
+    if (last == nullptr || last->kind != building::AccessKind::Opening || last->line.empty()) return false;
+    double gap = distanceToSegment(*fix.position, last->line.front(), last->line.back());
+    return gap < kThresholdM && fix.time - *m_thereSince < kThresholdSeconds;
 }
 
 bool RouteTracker::waitedLong(const Fix& fix) {

@@ -69,6 +69,7 @@ private:
     void follow(const localisation::Fix& fix);
     bool isGuess(const localisation::Fix& fix) const;
     bool believed(const localisation::Fix& fix);
+    bool onThreshold(const localisation::Fix& fix) const;
     bool waitedLong(const localisation::Fix& fix);
     void watch(const localisation::Fix& fix);
     std::optional<Deviation> straying(const localisation::Fix& fix);

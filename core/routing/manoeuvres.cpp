@@ -1,6 +1,7 @@
 #include "core/routing/corridor_axis.h"
 #include "core/routing/door_count.h"
 #include "core/routing/route.h"
+#include "core/routing/wall_walk.h"
 
 #include <algorithm>
 #include <cmath>
@@ -54,6 +55,8 @@ private:
     double climbOf(std::size_t portal) const;
     bool changesLevel(std::size_t portal) const;
     void addDoorCount(std::size_t portal, Manoeuvre& manoeuvre) const;
+    std::optional<DoorCount> doorsAlongWalls(std::size_t portal) const;
+    std::optional<DoorCount> doorsAlongLeg(std::size_t portal) const;
     std::size_t lastOfRide(std::size_t portal) const;
 
     const Building& m_building;
@@ -225,17 +228,38 @@ std::size_t PathWalk::lastOfRide(std::size_t portal) const {
     return portal;
 }
 
-void PathWalk::addDoorCount(std::size_t portal, Manoeuvre& manoeuvre) const {
+/// In the wall beside the way, from where one began to walk this way.
+std::optional<DoorCount> PathWalk::doorsAlongLeg(std::size_t portal) const {
     const Access* access = m_building.access(m_route.accesses[portal]);
     auto region = m_building.regionIndex(m_route.regions[portal]);
     std::size_t begin = portal == 0 ? 0 : m_portals[portal - 1];
     std::size_t from = m_portals[portal];
-    if (access == nullptr || !region || from == begin) return;
-    // Back to where one began to walk this way.
+    if (access == nullptr || !region || from == begin) return std::nullopt;
     for (--from; from > begin && std::abs(bendAt(from)) < kTurnRadians; --from) {
     }
-    if (m_route.path[from].level != manoeuvre.level) return;
-    auto count = countDoors(m_building, *region, *access, m_route.path[from].position);
+    if (m_route.path[from].level != m_route.path[m_portals[portal]].level) return std::nullopt;
+    return countDoors(m_building, *region, *access, m_route.path[from].position);
+}
+
+/// Round a small room, from the door that one has come through.
+std::optional<DoorCount> PathWalk::doorsAlongWalls(std::size_t portal) const {
+    if (portal == 0 || portal >= m_portals.size() || changesLevel(portal - 1) || changesLevel(portal))
+        return std::nullopt;
+    const Access* entry = m_building.access(m_route.accesses[portal - 1]);
+    const Access* access = m_building.access(m_route.accesses[portal]);
+    auto region = m_building.regionIndex(m_route.regions[portal]);
+    if (entry == nullptr || access == nullptr || !region || doorsAlongLeg(portal)) return std::nullopt;
+    return countAlongWalls(m_building, *region, *entry, *access);
+}
+
+void PathWalk::addDoorCount(std::size_t portal, Manoeuvre& manoeuvre) const {
+    auto count = doorsAlongLeg(portal);
+    if (!count) {
+        count = doorsAlongWalls(portal);
+        manoeuvre.alongWall = count.has_value();
+    }
+    // Who follows a wall from the door on has no turn to make behind it.
+    if (manoeuvre.behind && doorsAlongWalls(portal + 1)) manoeuvre.behind = Radians{};
     if (!count) return;
     manoeuvre.side = count->left ? Side::Left : Side::Right;
     manoeuvre.number = count->number;
@@ -277,7 +301,7 @@ std::vector<Manoeuvre> PathWalk::manoeuvres() const {
         if (all[i].portal) {
             list.push_back(passing(*all[i].portal, bend));
             region = *all[i].portal + 1;
-        } else if (std::abs(bend.turn.value) >= kTurnRadians) {
+        } else if (std::abs(bend.turn.value) >= kTurnRadians && !doorsAlongWalls(region)) {
             Manoeuvre manoeuvre;
             manoeuvre.kind = ManoeuvreKind::Turn;
             manoeuvre.from = manoeuvre.into = m_route.regions[region];

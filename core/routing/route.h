@@ -41,6 +41,9 @@ struct Manoeuvre {
     /// there, counted from where one began to walk that way.
     Side side = Side::None;
     int number = 0;
+    /// Of a door in a small room with several: `side` is the wall to follow from the door one has come
+    /// through, round corners too, and `number` counts from there.
+    bool alongWall = false;
     /// Of a door or opening: how the way goes on behind it, from straight through (counter-clockwise); the
     /// rest of `turn` is the turn towards it. Empty where the map does not tell how it stands.
     std::optional<Radians> behind{};

@@ -117,6 +117,7 @@ Json manoeuvreJson(const routing::Manoeuvre& manoeuvre) {
     bool counted = manoeuvre.side != routing::Side::None;
     json["side"] = !counted ? Json(nullptr) : Json(manoeuvre.side == routing::Side::Left ? "left" : "right");
     json["number"] = counted ? Json(manoeuvre.number) : Json(nullptr);
+    if (manoeuvre.alongWall) json["along_wall"] = true;
     json["behind_deg"] = manoeuvre.behind ? degreesJson(*manoeuvre.behind) : Json(nullptr);
     json["at_m"] = printedNumber(manoeuvre.atM);
     return json;

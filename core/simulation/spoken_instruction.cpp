@@ -128,8 +128,8 @@ bool takeTask(const std::string& clause, WalkTask& task, std::optional<int>* hou
     }
     bool liftDoor = begins(text, "get out of the lift") || begins(text, "go into the lift");
     bool gap = begins(text, "go through the ") || begins(text, "go straight on through the ") ||
-               begins(text, "go straight on through two ") || begins(text, "a door") ||
-               begins(text, "an opening");
+               begins(text, "go straight on through two ") || begins(text, "follow the wall on your ") ||
+               begins(text, "a door") || begins(text, "an opening");
     if (!gap && !liftDoor) {
         // Of a lift one is in already: "stay in the lift".
         bool climb = begins(text, "take the ") || begins(text, "go up the ") ||
@@ -155,6 +155,8 @@ bool takeTask(const std::string& clause, WalkTask& task, std::optional<int>* hou
     task.feature = has(text, "opening") ? Feature::Opening : Feature::Door;
     task.lift = liftDoor;
     task.number = ordinalIn(text);
+    task.alongWall = begins(text, "follow the wall ");
+    if (task.alongWall && task.number == 0) task.number = 1;
     takeWhere(text, task, hour);
     task.ahead = (has(text, " ahead") && !has(text, "ahead, slightly")) || begins(text, "go straight on");
     if (auto turn = turnIn(then)) task.behind = turn;
@@ -312,10 +314,13 @@ private:
         m_heard.distanceM = metres;
         if (text == "a bend" || begins(text, "your destination")) return true;
         std::string_view first = text, second;
-        if (std::size_t comma = text.rfind(", then "); comma != std::string_view::npos) {
+        if (std::size_t wall = text.find(", then follow the wall "); wall != std::string_view::npos) {
+            first = text.substr(0, wall);
+            second = text.substr(wall + 7);
+        } else if (std::size_t comma = text.rfind(", then "); comma != std::string_view::npos) {
             second = text.substr(comma + 7);
             // "… then turn left" belongs to the door when nothing else is told to follow.
-            if (!turnIn(second) || !(begins(text, "go ") || begins(text, "get ")))
+            if (!turnIn(second) || !(begins(text, "go ") || begins(text, "get ") || begins(text, "follow ")))
                 first = text.substr(0, comma);
         }
         takeTask(std::string(first), m_heard.task, &m_heard.hour);

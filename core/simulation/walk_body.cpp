@@ -15,8 +15,9 @@ constexpr double kPassingSpeed = 0.6, kFindHandleS = 2.0, kStairsSPerLevel = 18.
 constexpr Radians kTurnRate = fromDegrees(90.0);
 /// Where one stands to open a door.
 constexpr double kBeforeM = 0.4;
-/// A lift's car is felt whole; stairs are found by the foot or the cane.
-constexpr double kCarReachM = 3.0;
+/// A lift's car is felt whole; stairs are found by the foot or the cane where they are drawn. A point on the
+/// map stands for a flight that is a metre or more wide and some metres long.
+constexpr double kCarReachM = 3.0, kFlightM = 1.5;
 
 Point2 unitOf(Radians direction) {
     return {std::cos(direction.value), std::sin(direction.value)};
@@ -169,12 +170,14 @@ void WalkBody::followLeg(double seconds) {
 bool WalkBody::reaches(const Passage& passage, Felt& felt) const {
     Point2 at = nearestOnSegment(m_position, passage.gap.a, passage.gap.b);
     felt.distance = distance(m_position, at);
-    bool lift = passage.kind == AccessKind::Elevator;
-    if (felt.distance > (lift ? kCarReachM : m_options.caneReachM + 0.1)) return false;
+    double reach = m_options.caneReachM + 0.1;
+    if (passage.kind == AccessKind::Elevator) reach = kCarReachM;
+    if (passage.kind == AccessKind::Stairs && passage.gap.a == passage.gap.b) reach += kFlightM;
+    if (felt.distance > reach) return false;
     felt.bearing = felt.distance > 1e-6 ? wrapped(directionOf(at - m_position) - m_heading) : Radians{};
     if (passage.changesLevel()) return true;
     // Not through a wall, and not what stands edgewise.
-    Point2 front = at - passage.outward * 0.1;
+    Point2 front = at - passage.outward * (0.1 + passage.behindM);
     double before = dot(passage.gap.a - m_position, passage.outward);
     if (before < -0.05) return false;
     double to = distance(m_position, front);

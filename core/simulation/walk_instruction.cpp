@@ -77,6 +77,7 @@ WalkTask taskOf(const std::optional<Manoeuvre>& manoeuvre) {
         task.behind = heard(*manoeuvre->behind);
     task.side = manoeuvre->side;
     task.number = manoeuvre->number;
+    task.alongWall = manoeuvre->alongWall;
     return task;
 }
 
@@ -91,12 +92,14 @@ void takeTasks(const Cue& cue, WalkInstruction& instruction) {
     if (!cue.facingWay) { // then no side is spoken
         instruction.task.side = routing::Side::None;
         instruction.task.number = 0;
+        instruction.task.alongWall = false;
     }
     bool gap = instruction.task.feature == Feature::Door || instruction.task.feature == Feature::Opening;
     instruction.task.ahead = gap && first && cue.facingWay && instruction.task.side == routing::Side::None &&
                              (cue.hour ? *cue.hour % 12 == 0 : first->behind.has_value());
     instruction.task.lift = gap && (cue.intoKind == building::RegionKind::Elevator ||
                                     cue.fromKind == building::RegionKind::Elevator);
+    if (instruction.task.lift) instruction.task.alongWall = false; // it is told by what it is
     instruction.task.into = cue.intoName;
     // "Next: your destination"; of two things told at once it is behind the second.
     instruction.task.last = second && second->kind == ManoeuvreKind::Arrive;

@@ -19,12 +19,13 @@ struct WalkTask {
         turn{}; ///< as a turn word has it: 45, 90, 135 or 180 degrees, left positive; 0: straight on
     std::optional<Radians> behind{}; ///< the turn to make behind it, where that is told apart
     routing::Side side = routing::Side::None;
-    bool lift = false;   ///< of a door or opening: a lift's
-    bool ahead = false;  ///< of a door or opening: the one in front, not one beside
-    int number = 0;      ///< the how-manyeth on that side; 0: not told
-    bool last = false;   ///< behind it is the destination
-    std::string level{}; ///< of a lift: what to choose
-    std::string into{};  ///< the place it leads to, by name: tells one order from another
+    bool lift = false;      ///< of a door or opening: a lift's
+    bool ahead = false;     ///< of a door or opening: the one in front, not one beside
+    int number = 0;         ///< the how-manyeth on that side; 0: not told
+    bool alongWall = false; ///< the wall on that side is to be followed, and its doors counted
+    bool last = false;      ///< behind it is the destination
+    std::string level{};    ///< of a lift: what to choose
+    std::string into{};     ///< the place it leads to, by name: tells one order from another
 };
 
 enum class Order { Inform, Go, GoOn, Halt, Sweep, Arrived };

@@ -13,14 +13,15 @@ using routing::Vertical;
 namespace {
 
 constexpr Radians kTurnRate = fromDegrees(75.0), kSweepRate = fromDegrees(18.0);
-constexpr double kBeside = 35.0 * kPi / 180.0; ///< what is further round than this is beside, not ahead
+constexpr double kBeside = 35.0 * kPi / 180.0;  ///< what is further round than this is beside, not ahead
+constexpr double kBehind = 120.0 * kPi / 180.0; ///< and what is further round than this is passed
 constexpr double kRealTurn = 40.0 * kPi / 180.0;
 /// From a wall that is trailed, and how straight after it one walks.
 constexpr double kTrailM = 0.55, kTrailGain = 1.2, kTrailMostTurn = 0.6;
 /// Nearer than this a wall ahead is turned away from.
 constexpr double kWallAheadM = 0.6;
 /// Past the end of a wall one walks on this far before one turns after it.
-constexpr double kLostWallM = 3.2;
+constexpr double kTrailedM = 1.5, kWallEndedM = 0.5, kLostWallM = 3.2, kRoundCornerM = 0.4;
 /// An order to act now is still that one so much later.
 constexpr double kNowS = 7.0;
 /// The same order within this time after it was done is late, not new.
@@ -150,7 +151,7 @@ void WalkMind::beginLeg(bool known) {
     m_legKnown = known;
     m_counted = {};
     m_considered.clear();
-    m_lostM = m_searchedM = 0.0;
+    m_lostM = m_searchedM = m_trailedM = 0.0;
     m_nextReverseM = 0.0;
 }
 
@@ -274,8 +275,10 @@ void WalkMind::count(const Touch& touch) {
     for (const Felt& felt : touch.felt) {
         bool counted =
             felt.kind == (m_task.feature == Feature::Opening ? AccessKind::Opening : AccessKind::Door);
-        if (!counted || felt.cameThrough || std::abs(felt.bearing.value) < kBeside) continue;
-        m_counted[felt.bearing.value > 0.0 ? 0 : 1].insert(felt.handle);
+        double off = std::abs(felt.bearing.value);
+        if (!counted || felt.cameThrough || off < kBeside || (m_task.alongWall && off > kBehind)) continue;
+        auto& doors = m_counted[felt.bearing.value > 0.0 ? 0 : 1];
+        if (std::find(doors.begin(), doors.end(), felt.handle) == doors.end()) doors.push_back(felt.handle);
     }
 }
 
@@ -321,6 +324,11 @@ bool WalkMind::fits(const Felt& felt) const {
 /// Of a door or opening within reach: is it the one, going by its side, its number and what was told of when?
 bool WalkMind::isDoorOfMine(const Felt& felt) {
     bool now = m_sinceNow < kNowS;
+    if (m_task.alongWall) {
+        const auto& doors = m_counted[m_task.side == Side::Left ? 0 : 1];
+        auto nth = static_cast<std::size_t>(m_task.number);
+        return nth >= 1 && nth <= doors.size() && doors[nth - 1] == felt.handle;
+    }
     if (felt.cameThrough && !m_astray && m_searchedM < 15.0) return false;
     Trail side = wantedSide();
     bool ahead = std::abs(felt.bearing.value) < kBeside;
@@ -416,8 +424,10 @@ Wish WalkMind::walkOn(double seconds, const Touch& touch) {
 /// A wall ahead: round along it, to the side that was told if one was.
 void WalkMind::meetWall(const Touch& touch) {
     bool toLeft = false;
+    // Where the wall at hand has just ended the way goes round its corner.
+    bool rounds = m_trailedM > kTrailedM && m_lostM > kWallEndedM;
     if (m_trail != Trail::None)
-        toLeft = m_trail == Trail::Right;
+        toLeft = (m_trail == Trail::Right) != rounds;
     else if (m_task.feature == Feature::Turn && m_task.turn)
         toLeft = m_task.turn->value > 0.0;
     else if (touch.left.has_value() != touch.right.has_value())
@@ -446,7 +456,8 @@ void WalkMind::loseWall(double gone) {
         beginLeg(true);
         return;
     }
-    if (straight() || m_lostM < kLostWallM) return;
+    // The hand that follows a wall goes round its corner.
+    if (straight() || m_lostM < (m_task.alongWall ? kRoundCornerM : kLostWallM)) return;
     m_turnLeft = (m_trail == Trail::Left ? 1.0 : -1.0) * kPi / 2.0;
     m_lostM = -1.0;
 }
@@ -472,7 +483,13 @@ Wish WalkMind::steer(double seconds, const Touch& touch) {
         m_lostM = 0.0;
         // Across to the other wall.
         bool there = side == Trail::Left ? touch.left.has_value() : touch.right.has_value();
-        if (!there) m_veer = (side == Trail::Left ? 1.0 : -1.0) * 0.35;
+        double across = side == Trail::Left ? 1.0 : -1.0;
+        if (!there && m_task.alongWall) {
+            // It begins with the wall of the door that was come through.
+            m_turnLeft = across * kPi / 2.0;
+            return {};
+        }
+        if (!there) m_veer = across * 0.35;
     }
     if (m_trail == Trail::None && touch.left.has_value() != touch.right.has_value())
         m_trail = touch.left ? Trail::Left : Trail::Right;
@@ -486,6 +503,7 @@ Wish WalkMind::steer(double seconds, const Touch& touch) {
         wish.turnRate = Radians{turn / std::max(seconds, 0.5)};
         m_veer = 0.0;
         m_lostM = 0.0;
+        m_trailedM += gone;
         return wish;
     }
     wish.turnRate = Radians{std::clamp(m_veer, -0.5, 0.5) * (m_trail == Trail::None ? 0.3 : 1.0)};

@@ -7,6 +7,7 @@
 #include <array>
 #include <optional>
 #include <set>
+#include <vector>
 
 namespace farol::simulation {
 
@@ -79,10 +80,12 @@ private:
     bool m_astray = false;
     double m_wrongS = 0.0; ///< of a wrong turn, still to come
 
-    bool m_legKnown = false;                        ///< one walks the way that was told
-    std::array<std::set<std::size_t>, 2> m_counted; ///< doors on the left and on the right of this way
-    std::set<std::size_t> m_considered;             ///< by the wilful one
+    bool m_legKnown = false; ///< one walks the way that was told
+    /// Doors on the left and on the right of this way, in the order in which they were felt.
+    std::array<std::vector<std::size_t>, 2> m_counted;
+    std::set<std::size_t> m_considered; ///< by the wilful one
     Trail m_trail = Trail::None;
+    double m_trailedM = 0.0; ///< along walls of this way
     double m_lostM = 0.0, m_searchedM = 0.0, m_nextReverseM = 0.0;
 
     std::optional<Radians> m_afterwards; ///< turn to make behind the passage

@@ -107,6 +107,8 @@ std::optional<Passage> WalkWorld::passage(std::size_t index, std::size_t region)
     double ahead = distanceToPolygon(polygon, middle + passage.outward * 0.4),
            back = distanceToPolygon(polygon, middle - passage.outward * 0.4);
     if (ahead < back) passage.outward = passage.outward * -1.0;
+    for (Point2 p : {passage.gap.a, middle, passage.gap.b})
+        passage.behindM = std::max(passage.behindM, distanceToPolygon(polygon, p));
     return passage;
 }
 

@@ -21,9 +21,10 @@ struct Segment {
 struct Passage {
     std::size_t access = 0, from = 0, into = 0;
     building::AccessKind kind = building::AccessKind::Door;
-    Segment gap;        ///< its width in the wall; of stairs and lifts, where one steps on
-    Point2 outward;     ///< unit vector through the wall, out of `from`; null for stairs and lifts
-    double climb = 0.0; ///< levels
+    Segment gap;          ///< its width in the wall; of stairs and lifts, where one steps on
+    Point2 outward;       ///< unit vector through the wall, out of `from`; null for stairs and lifts
+    double behindM = 0.0; ///< so far behind the side of `from` it is drawn: within a thick wall
+    double climb = 0.0;   ///< levels
 
     bool changesLevel() const;
 };

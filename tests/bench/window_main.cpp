@@ -1,6 +1,7 @@
 // farol-bench-window: the workstation's window with a large map and a film of 30 pictures a second, walked
 // again and again. Does the window always answer, and does its memory stay as it is?
 
+#include "core/base/memory.h"
 #include "core/building/geopackage.h"
 #include "core/recognition/landmark_library.h"
 #include "tests/bench/heartbeat.h"
@@ -248,6 +249,7 @@ int run(const Task& task, int argc, char** argv) {
 } // namespace farol::bench
 
 int main(int argc, char** argv) {
+    farol::keepHeapSmall(); // as the workstation does
     const auto usage = [] {
         std::fprintf(
             stderr,

@@ -435,11 +435,42 @@ GoldenBuilding mezzanine() {
         .walk('1', '2');
 }
 
+/// Five doors around a few square metres.
+GoldenBuilding lobby() {
+    return Sketch("lobby", "through a lobby with a door on every side, to the one beside the one ahead")
+        .level(0.0, R"(
+            +----+----+------+
+            |W   |N   |E     |
+            |    |    |      |
+            |    +-/--+      |
+            |    |L   /      |
+            |1   /    +------+
+            |    |    |F     |
+            |    |    /    2 |
+            |    +--/-+      |
+            |    |S   |      |
+            +----+----+------+
+        )")
+        .called({{'W', "Workshop"},
+                 {'N', "Paint store"},
+                 {'E', "Kitchen"},
+                 {'F', "Darkroom"},
+                 {'S', "Tool store"}})
+        .called({{'L', "Lobby"}}, RegionKind::Corridor)
+        .in("pt", {{'W', "Oficina"},
+                   {'N', "Depósito de tintas"},
+                   {'E', "Copa"},
+                   {'F', "Câmara escura"},
+                   {'S', "Depósito de ferramentas"},
+                   {'L', "Vestíbulo"}})
+        .walk('1', '2');
+}
+
 } // namespace
 
 std::vector<GoldenBuilding> goldenBuildings() {
-    return {corridor(), ring(), stairs(), lift(),     wings(),  atrium(),
-            deadEnd(),  bend(), tee(),    crossing(), nested(), mezzanine()};
+    return {corridor(), ring(), stairs(),   lift(),   wings(),     atrium(), deadEnd(),
+            bend(),     tee(),  crossing(), nested(), mezzanine(), lobby()};
 }
 
 } // namespace farol::test

@@ -50,6 +50,7 @@ const char* difference(const WalkInstruction& meant, const WalkInstruction& hear
         return "up or down";
     if (said.side != sideOf(meant)) return "side";
     if (said.number != 0 && said.number != task.number) return "number";
+    if (said.alongWall != task.alongWall) return "along the wall";
     if (said.ahead && !task.ahead) return "ahead";
     if (task.feature == Feature::Turn && !sameTurn(task.turn, said.turn)) return "turn";
     if (said.behind && !sameTurn(task.behind, said.behind)) return "turn behind";

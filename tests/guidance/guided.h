@@ -47,11 +47,14 @@ inline building::Location at(const std::string& region) {
 
 struct Guided {
     explicit Guided(AsciiMap drawing = corridorMap(), guidance::GuidanceOptions options = {},
-                    guidance::TrackerOptions tracking = {})
+                    guidance::TrackerOptions tracking = {}, bool optimal = false)
         : map(std::move(drawing)),
           building(map.build()),
           planner(std::make_shared<StraightPlanner>(building)),
-          tracker(building, planner, tracking),
+          tracker(building,
+                  optimal ? std::shared_ptr<const routing::Planner>(routing::makeOptimalPlanner(building))
+                          : planner,
+                  tracking),
           scheduler(building, options) {}
 
     /// A new observation says: this region, and perhaps this spot of the drawing.

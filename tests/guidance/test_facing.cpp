@@ -56,6 +56,63 @@ TEST(Facing, WhoFacesAwayIsTurnedRoundAndThenLed) {
     EXPECT_FALSE(order->hour) << "it would not hold after the turn";
 }
 
+AsciiMap lobby() {
+    return AsciiMap().floor(R"(
+        +----+----+------+
+        |W   |N   |E     |
+        |    |    |      |
+        |    +-/--+      |
+        |    |L   /      |
+        |1   /2 4 +------+
+        |    |3   |F     |
+        |    |    /      |
+        |    +--/-+      |
+        |    |S   |      |
+        +----+----+------+
+    )");
+}
+
+/// Comes into the lobby from W, on the way to F.
+Guided inLobby() {
+    Guided walk(lobby(), {}, {}, true);
+    walk.tracker.setDestination(at("F"));
+    standing(walk, "W", '1', 0.0, 2.0);
+    return walk;
+}
+
+TEST(Facing, InALobbyTheWallIsToldFromTheDoorOn) {
+    Guided walk = inLobby();
+    const std::vector<Cue> heard = standing(walk, "L", '2', 0.0, 12.0);
+    const Cue* told = lastOrder(heard);
+    ASSERT_NE(told, nullptr);
+    EXPECT_EQ(told->manoeuvre->number, 2);
+    EXPECT_EQ(told->manoeuvre->side, routing::Side::Right);
+    EXPECT_TRUE(told->facingWay) << "one faces inwards in the door";
+    for (const Cue& cue : heard)
+        EXPECT_FALSE(cue.manoeuvre && !cue.manoeuvre->alongWall) << "of five doors around one is ahead";
+}
+
+TEST(Facing, OnTheWayAlongTheWallTheDoorsThatAreLeftAreTold) {
+    Guided walk = inLobby();
+    const std::vector<Cue> heard = standing(walk, "L", '3', -80.0, 40.0, 15.0, 0.2);
+    const Cue* order = lastOrder(heard);
+    ASSERT_NE(order, nullptr);
+    EXPECT_TRUE(order->manoeuvre->alongWall);
+    EXPECT_EQ(order->manoeuvre->side, routing::Side::Right);
+    EXPECT_FALSE(order->hour);
+    EXPECT_FALSE(order->distanceM);
+}
+
+TEST(Facing, InTheMiddleOfALobbyNoWallIsToldToOneWhoFacesNobodyKnowsWhere) {
+    Guided walk = inLobby();
+    const std::vector<Cue> heard = standing(walk, "L", '4', 0.0, 40.0, 90.0);
+    const Cue* order = lastOrder(heard);
+    ASSERT_NE(order, nullptr) << "silence is no answer either";
+    EXPECT_FALSE(order->manoeuvre->alongWall);
+    EXPECT_EQ(order->manoeuvre->side, routing::Side::None);
+    EXPECT_FALSE(order->facingWay) << "nor is it ahead";
+}
+
 TEST(Facing, WhoFacesTheWayIsNotTurned) {
     Guided walk;
     walk.tracker.setDestination(at("S"));

@@ -350,6 +350,34 @@ TEST(RouteTracker, AnArrivalWantsConfidenceAndSomethingSeenSince) {
     EXPECT_EQ(walk.progress.travel, Travel::Arrived);
 }
 
+TEST(RouteTracker, NobodyHasArrivedBetweenTheSidesOfAnOpening) {
+    auto map = AsciiMap().floor(R"(
+        +-------+-------+
+        |A      :B      |
+        |    1  :2    3 |
+        |       :       |
+        +-------+-------+
+    )");
+    TrackerOptions honest;
+    honest.arrivalConfidence = 0.9;
+    auto secondsUntilArrived = [&](Point2 spot) {
+        Guided walk(map, {}, honest);
+        walk.tracker.setDestination(at("B"));
+        walk.seen("A", '1', 0.99);
+        double since = walk.time;
+        while (walk.progress.travel != Travel::Arrived && walk.time - since < 20.0) {
+            walk.fix.region = RegionId("B");
+            walk.fix.position = spot;
+            walk.fix.evidenceTime = walk.time + 0.5;
+            walk.later(0.5);
+        }
+        return walk.time - since;
+    };
+    const Point2 inside = *map.spot('2').position;
+    EXPECT_LT(secondsUntilArrived(inside), 2.0) << "there is nothing to wait for";
+    EXPECT_GE(secondsUntilArrived(inside - Point2{0.8, 0.0}), 3.0) << "as soon out again as in";
+}
+
 TEST(RouteTracker, WhoWaitsInARoomThatShowsNothingHasProbablyArrived) {
     TrackerOptions honest;
     honest.arrivalConfidence = 0.95;

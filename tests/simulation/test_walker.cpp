@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <map>
 
 #include "resources/demo/demo_building.h"
 
@@ -232,6 +233,73 @@ TEST(Walker, TakesTheDoorOfTheSideThatWasTold) {
         right += walker->region().value == "C" ? 1 : 0;
     }
     EXPECT_GE(right, 8);
+}
+
+TEST(Walker, FindsADoorThatIsDrawnInTheMiddleOfAThickWall) {
+    AsciiMap map;
+    map.floor(R"(
+        +-------+
+        |A      |
+        |       |
+        +---/---+
+        |B      |
+        |       |
+        +-------+
+    )");
+    building::BuildingData data = map.data();
+    for (Point2& p : data.accesses.at(0).line) p.y -= 0.2;
+    auto building = std::make_shared<const building::Building>(std::move(data));
+    for (std::uint64_t seed = 0; seed < 5; ++seed) {
+        WalkerOptions options;
+        options.seed = seed;
+        auto walker = walkerIn(building, {RegionId("A"), {}}, options);
+        walker->hear(find(Feature::Door));
+        for (double t = 0.5; t < 120.0 && walker->region().value == "A"; t += 0.5) walker->walkUntil(t);
+        EXPECT_EQ(walker->region().value, "B") << seed;
+    }
+}
+
+TEST(Walker, FollowsAWallToTheDoorThatWasCounted) {
+    AsciiMap map;
+    map.floor(R"(
+        +----+----+------+
+        |W   |N   |E     |
+        |    |    |      |
+        |    +-/--+      |
+        |    |L   /      |
+        | 1  /    +------+
+        |    |    |F     |
+        |    |    /      |
+        |    +--/-+      |
+        |    |S   |      |
+        +----+----+------+
+    )");
+    auto building = map.build();
+    const std::map<std::pair<routing::Side, int>, std::string> kDoors{{{routing::Side::Right, 1}, "S"},
+                                                                      {{routing::Side::Right, 2}, "F"},
+                                                                      {{routing::Side::Left, 1}, "N"},
+                                                                      {{routing::Side::Left, 2}, "E"}};
+    for (const auto& [told, wanted] : kDoors) {
+        int right = 0;
+        for (std::uint64_t seed = 0; seed < 10; ++seed) {
+            WalkerOptions options;
+            options.seed = seed;
+            auto walker = walkerIn(building, map.spot('1'), options);
+            WalkInstruction instruction = find(Feature::Door);
+            instruction.then = find(Feature::Door).task;
+            instruction.then.turn.reset();
+            instruction.then.side = told.first;
+            instruction.then.number = told.second;
+            instruction.then.alongWall = true;
+            walker->hear(instruction);
+            for (double t = 0.5; t < 120.0; t += 0.5) {
+                walker->walkUntil(t);
+                if (walker->region().value != "W" && walker->region().value != "L") break;
+            }
+            right += walker->region().value == wanted ? 1 : 0;
+        }
+        EXPECT_GE(right, 8) << wanted;
+    }
 }
 
 TEST(Walker, TurnsOvershootAsThoseOfBlindWalkersDo) {

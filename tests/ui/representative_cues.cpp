@@ -41,6 +41,16 @@ Cue then(Cue cue, const Manoeuvre& next) {
     return cue;
 }
 
+/// Round a small room, as the how-manyeth door along that wall.
+Manoeuvre alongWall(ManoeuvreKind kind, routing::Side side, int number, double behindDegrees = 0.0) {
+    Manoeuvre manoeuvre = at(kind);
+    manoeuvre.side = side;
+    manoeuvre.number = number;
+    manoeuvre.alongWall = true;
+    manoeuvre.behind = fromDegrees(behindDegrees);
+    return manoeuvre;
+}
+
 Cue unsure(Cue cue) {
     cue.sure = false;
     return cue;
@@ -167,6 +177,29 @@ void addDirections(std::vector<NamedCue>& list) {
     behind.turnFirst = fromDegrees(-175);
     list.push_back({"door behind, and another", behind, true});
     list.push_back({"door behind, and another, unsure", unsure(behind), true});
+}
+
+void addWalls(std::vector<NamedCue>& list) {
+    Cue right =
+        cueOf(CueKind::Prepare, alongWall(ManoeuvreKind::Door, routing::Side::Right, 2, -90), "Corridor B");
+    right.soon = false;
+    list.push_back({"second door along the wall", right, true});
+    list.push_back({"second door along the wall, unsure", unsure(right), false});
+    Cue left = cueOf(CueKind::Prepare, alongWall(ManoeuvreKind::Door, routing::Side::Left, 1), "Hall");
+    left.soon = false;
+    list.push_back({"first door along the wall", left, true});
+    for (routing::Side side : {routing::Side::Left, routing::Side::Right}) {
+        Cue opening = cueOf(CueKind::Prepare, alongWall(ManoeuvreKind::Opening, side, 1), "Hall");
+        opening.soon = false;
+        list.push_back({"opening along the wall", opening, false});
+    }
+    Cue far = then(with(cueOf(CueKind::Prepare, at(ManoeuvreKind::Door, 0)), std::nullopt, 6.0),
+                   alongWall(ManoeuvreKind::Door, routing::Side::Left, 3, 90));
+    list.push_back({"door, then another along the wall", far, true});
+    Cue now = far;
+    now.kind = CueKind::Act;
+    now.distanceM.reset();
+    list.push_back({"now a door, then another along the wall", now, false});
 }
 
 void addState(std::vector<NamedCue>& list) {
@@ -390,6 +423,7 @@ std::vector<NamedCue> representativeCues() {
     addManoeuvres(list, CueKind::Prepare, QStringLiteral("prepare, "));
     addManoeuvres(list, CueKind::Act, QStringLiteral("act, "));
     addDirections(list);
+    addWalls(list);
     addState(list);
     addDetections(list);
     addCountedDoors(list);

@@ -160,6 +160,7 @@ Manoeuvre manoeuvreOf(ManoeuvreKind kind, int variant) {
     if (variant % 5 == 3) manoeuvre.side = Side::Left;
     if (variant % 5 == 4) manoeuvre.side = Side::Right;
     if (manoeuvre.side != Side::None) manoeuvre.number = variant % 11;
+    manoeuvre.alongWall = manoeuvre.side != Side::None && variant % 3 == 0;
     return manoeuvre;
 }
 
@@ -228,7 +229,11 @@ void TestMessageLint::everyCueIsFitToBeHeard() {
                     cue.kind = kind;
                     decorate(cue, name, variant);
                     if (variant % 10 != 9) cue.manoeuvre = manoeuvreOf(what, variant);
-                    if (variant % 3 == 0)
+                    // Along a wall one thing is enough to remember.
+                    bool alongWall = cue.manoeuvre && cue.manoeuvre->alongWall;
+                    if (alongWall) cue.soon = false;
+                    if (alongWall && kind == CueKind::Act) continue;
+                    if (variant % 3 == 0 && !alongWall)
                         cue.next = manoeuvreOf(
                             kManoeuvres[static_cast<std::size_t>(variant) % kManoeuvres.size()], variant + 1);
                     lint.check(cue);

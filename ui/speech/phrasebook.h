@@ -71,6 +71,7 @@ private:
     QString markClause(const guidance::Cue& cue) const;
     QString gapWhere(const guidance::Cue& cue) const;
     QString gapClause(const guidance::Cue& cue) const;
+    static QString wallClause(const routing::Manoeuvre& manoeuvre);
     QString withTurn(const QString& clause, const Manoeuvre& manoeuvre) const;
     QString clause(const guidance::Cue& cue) const;
     QString nextClause(const guidance::Cue& cue) const;

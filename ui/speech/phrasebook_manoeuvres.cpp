@@ -257,6 +257,8 @@ QString Phrasebook::gapClause(const Cue& cue) const {
                       : tr("go straight on through two openings in a row");
     else if (straight)
         clause = door ? tr("go straight on through the door") : tr("go straight on through the opening");
+    else if (manoeuvre.alongWall && cue.facingWay && !ordinal(manoeuvre.number).isEmpty())
+        clause = wallClause(manoeuvre);
     else if (where.isEmpty())
         clause = door ? tr("go through the door") : tr("go through the opening");
     else if (number.isEmpty())
@@ -270,6 +272,18 @@ QString Phrasebook::gapClause(const Cue& cue) const {
     const bool saidBySide =
         !where.isEmpty() && cue.hour && (wrapped(manoeuvre.turn).value > 0.0) == (*cue.hour % 12 > 6);
     return manoeuvre.behind || arrives || saidBySide ? clause : withTurn(clause, manoeuvre);
+}
+
+/// Which of several doors around a small room: hand and cane find it along the wall.
+QString Phrasebook::wallClause(const Manoeuvre& manoeuvre) {
+    const bool left = manoeuvre.side == Side::Left;
+    const QString number = ordinal(manoeuvre.number);
+    if (manoeuvre.kind == ManoeuvreKind::Opening)
+        return left ? tr("follow the wall on your left and go through the opening")
+                    : tr("follow the wall on your right and go through the opening");
+    //: %1 "second"
+    return left ? tr("follow the wall on your left and go through the %1 door").arg(number)
+                : tr("follow the wall on your right and go through the %1 door").arg(number);
 }
 
 QString Phrasebook::withTurn(const QString& clause, const Manoeuvre& manoeuvre) const {
@@ -310,7 +324,7 @@ QString Phrasebook::nextClause(const Cue& cue) const {
 /// The same in a word or two, behind something announced from afar: "a door on your left".
 QString Phrasebook::nextNoun(const Cue& cue) const {
     const Feature feature = featureOf(*cue.next);
-    if (feature == Feature::None) return nextClause(cue);
+    if (feature == Feature::None || cue.next->alongWall) return nextClause(cue);
     const QString where = sideWords(cue.next->side);
     //: %1 "a door", %2 "on your left"
     return where.isEmpty() ? featureNoun(feature)

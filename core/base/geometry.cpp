@@ -66,8 +66,16 @@ void forEachEdge(const Ring& ring, Visit visit) {
 }
 
 bool onBorder(const Ring& ring, Point2 p) {
+    constexpr double kOn = 1e-9;
+    auto off = [](double at, double one, double other) {
+        return at < std::min(one, other) - kOn || at > std::max(one, other) + kOn;
+    };
     bool touches = false;
-    forEachEdge(ring, [&](Point2 a, Point2 b) { touches = touches || distanceToSegment(p, a, b) < 1e-9; });
+    forEachEdge(ring, [&](Point2 a, Point2 b) {
+        // Most edges are far away, and there are many of them in a real plan.
+        if (touches || off(p.x, a.x, b.x) || off(p.y, a.y, b.y)) return;
+        touches = distanceToSegment(p, a, b) < kOn;
+    });
     return touches;
 }
 

@@ -40,7 +40,7 @@ constexpr double kStepM = 0.3;      // of a walker, between two observations tha
 constexpr double kDirectionM = 1.0; // from so far on a displacement has a direction
 constexpr int kObservationsAstray = 2;
 /// Of an opening that leads to the destination: so near to it one has not arrived before so long.
-constexpr double kThresholdM = 0.6, kThresholdSeconds = 3.0;
+constexpr double kThresholdM = 0.6, kThresholdSeconds = 8.0;
 
 /// Does the way begin with the only access between where one is and where one was?
 bool leadsBack(const building::Building& building, const Route& route, const RegionId& before) {

@@ -74,6 +74,7 @@ localisation::Fix trueFix(const simulation::Walker& walker, const building::Buil
     fix.level = building.region(walker.region())->level;
     if (!spot) return fix;
     fix.position = walker.position();
+    fix.followed = true;
     fix.sigmaM = 0.3;
     fix.heading = walker.pose().heading;
     fix.headingSigma = fromDegrees(20.0);

@@ -3188,6 +3188,10 @@ Open a camera, a video or a folder of pictures, then press Play.</source>
         <translation>Sie sind angekommen: %1. Eingabe: ein anderes Ziel.</translation>
     </message>
     <message>
+        <source>You have probably arrived: %1. Enter: another destination.</source>
+        <translation>Sie sind wahrscheinlich angekommen: %1. Eingabe: ein anderes Ziel.</translation>
+    </message>
+    <message>
         <source>Goodbye.</source>
         <translation>Auf Wiederhören.</translation>
     </message>
@@ -3238,6 +3242,10 @@ Open a camera, a video or a folder of pictures, then press Play.</source>
     <message>
         <source>Arrived</source>
         <translation>Angekommen</translation>
+    </message>
+    <message>
+        <source>Probably arrived</source>
+        <translation>Wahrscheinlich angekommen</translation>
     </message>
     <message>
         <source>Stop?</source>

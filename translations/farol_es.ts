@@ -3188,6 +3188,10 @@ Abra una cámara, un vídeo o una carpeta de imágenes y pulse Reproducir.</tran
         <translation>Ha llegado: %1. Intro: otro destino.</translation>
     </message>
     <message>
+        <source>You have probably arrived: %1. Enter: another destination.</source>
+        <translation>Probablemente ha llegado a su destino: %1. Intro: otro destino.</translation>
+    </message>
+    <message>
         <source>Goodbye.</source>
         <translation>Adiós.</translation>
     </message>
@@ -3238,6 +3242,10 @@ Abra una cámara, un vídeo o una carpeta de imágenes y pulse Reproducir.</tran
     <message>
         <source>Arrived</source>
         <translation>Ha llegado</translation>
+    </message>
+    <message>
+        <source>Probably arrived</source>
+        <translation>Probablemente ha llegado</translation>
     </message>
     <message>
         <source>Stop?</source>

@@ -3188,6 +3188,10 @@ Ouvrez une caméra, une vidéo ou un dossier d&apos;images, puis appuyez sur Lec
         <translation>Vous êtes à destination&#xa0;: %1. Entrée&#xa0;: une autre destination.</translation>
     </message>
     <message>
+        <source>You have probably arrived: %1. Enter: another destination.</source>
+        <translation>Vous êtes probablement à destination&#xa0;: %1. Entrée&#xa0;: une autre destination.</translation>
+    </message>
+    <message>
         <source>Goodbye.</source>
         <translation>Au revoir.</translation>
     </message>
@@ -3238,6 +3242,10 @@ Ouvrez une caméra, une vidéo ou un dossier d&apos;images, puis appuyez sur Lec
     <message>
         <source>Arrived</source>
         <translation>À destination</translation>
+    </message>
+    <message>
+        <source>Probably arrived</source>
+        <translation>Probablement à destination</translation>
     </message>
     <message>
         <source>Stop?</source>

@@ -3188,6 +3188,10 @@ Abra uma câmara, um vídeo ou uma pasta de imagens e depois prima Reproduzir.</
         <translation>Chegou: %1. Enter: outro destino.</translation>
     </message>
     <message>
+        <source>You have probably arrived: %1. Enter: another destination.</source>
+        <translation>Provavelmente chegou ao destino: %1. Enter: outro destino.</translation>
+    </message>
+    <message>
         <source>Goodbye.</source>
         <translation>Adeus.</translation>
     </message>
@@ -3238,6 +3242,10 @@ Abra uma câmara, um vídeo ou uma pasta de imagens e depois prima Reproduzir.</
     <message>
         <source>Arrived</source>
         <translation>Chegou</translation>
+    </message>
+    <message>
+        <source>Probably arrived</source>
+        <translation>Provavelmente chegou</translation>
     </message>
     <message>
         <source>Stop?</source>

@@ -409,8 +409,17 @@ void KioskMachineTest::arrivalAndRefusal() {
     arrived.kind = CueKind::Arrived;
     QVERIFY(m_machine->wants(arrived));
     QCOMPARE(m_machine->state(), KioskState::Arrived);
+    press(Qt::Key_Space);
+    QVERIFY(heard("You have arrived"));
     press(Qt::Key_Return);
     QCOMPARE(m_machine->state(), KioskState::Choosing);
+    // What was told as probable does not become certain by being told again.
+    bring(KioskState::Walking);
+    arrived.sure = false;
+    QVERIFY(m_machine->wants(arrived));
+    press(Qt::Key_Space);
+    QVERIFY(heard("You have probably arrived"));
+    QVERIFY(m_machine->title().contains(QStringLiteral("Probably")));
     bring(KioskState::Preview);
     Cue refusal;
     refusal.kind = CueKind::NoRoute;

@@ -157,6 +157,7 @@ bool KioskMachine::wants(const Cue& cue) {
     if (m_state == KioskState::Leaving) return warning;
     if (way && (cue.kind == CueKind::Arrived || cue.kind == CueKind::AlreadyThere)) {
         stopSweep();
+        m_arrivalSure = cue.sure;
         setState(KioskState::Arrived);
         return true;
     }

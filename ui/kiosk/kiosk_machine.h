@@ -140,6 +140,7 @@ private:
     bool m_cameraWasGone = false; ///< and has not come back yet
     bool m_quiet = false;
     bool m_wayTold = false; ///< since the destination was chosen
+    bool m_arrivalSure = false;
     std::optional<RegionId> m_destination, m_region;
     struct Wish {
         RegionId destination;

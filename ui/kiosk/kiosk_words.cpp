@@ -80,7 +80,9 @@ QString KioskMachine::stateWords() const {
     case KioskState::Walking:
         return tr("On the way to: %1.").arg(destinationWords());
     case KioskState::Arrived:
-        return tr("You have arrived: %1. Enter: another destination.").arg(destinationWords());
+        return (m_arrivalSure ? tr("You have arrived: %1. Enter: another destination.")
+                              : tr("You have probably arrived: %1. Enter: another destination."))
+            .arg(destinationWords());
     case KioskState::StopQuestion:
     case KioskState::LeaveQuestion:
         return questionWords();
@@ -131,7 +133,7 @@ QString KioskMachine::title() const {
     case KioskState::Walking:
         return tr("Walking to %1").arg(destinationWords());
     case KioskState::Arrived:
-        return tr("Arrived");
+        return m_arrivalSure ? tr("Arrived") : tr("Probably arrived");
     case KioskState::StopQuestion:
         return tr("Stop?");
     case KioskState::LeaveQuestion:

@@ -76,7 +76,7 @@ std::string countWords(const Manoeuvre& manoeuvre) {
     bool named = manoeuvre.number >= 1 && manoeuvre.number <= 10;
     std::string number =
         named ? ordinals[manoeuvre.number - 1] : "number " + std::to_string(manoeuvre.number);
-    return (named ? ", the " : ", ") + number +
+    return (named ? ", the " : ", ") + number + (manoeuvre.alongWall ? " along the wall" : "") +
            (manoeuvre.side == routing::Side::Left ? " on the left" : " on the right");
 }
 

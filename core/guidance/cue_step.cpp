@@ -261,8 +261,9 @@ Cue CueStep::arrivalCue() const {
 
 void CueStep::tellArrival() {
     if (m_memory.arrivedToldAt && m_memory.regionIndex == m_progress.regionsPassed) return;
-    m_memory.regionIndex = m_progress.regionsPassed;
+    // Who was thought to be out again meanwhile may not have heard it.
     if (m_memory.arrivedToldAt && m_fix.time - *m_memory.arrivedToldAt < m_options.repeatAfterSeconds) return;
+    m_memory.regionIndex = m_progress.regionsPassed;
     m_memory.arrivedToldAt = m_fix.time;
     add(arrivalCue());
 }

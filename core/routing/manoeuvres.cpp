@@ -33,6 +33,8 @@ public:
     PathWalk(const Building& building, const Route& route, const std::vector<std::size_t>& portals)
         : m_building(building), m_route(route), m_portals(portals) {
         measure();
+        for (std::size_t k = 0; k < m_portals.size(); ++k) m_alongLeg.push_back(doorsAlongLeg(k));
+        for (std::size_t k = 0; k < m_portals.size(); ++k) m_aroundRoom.push_back(doorsAroundRoom(k));
     }
 
     std::vector<Manoeuvre> manoeuvres() const;
@@ -55,8 +57,11 @@ private:
     double climbOf(std::size_t portal) const;
     bool changesLevel(std::size_t portal) const;
     void addDoorCount(std::size_t portal, Manoeuvre& manoeuvre) const;
-    std::optional<DoorCount> doorsAlongWalls(std::size_t portal) const;
     std::optional<DoorCount> doorsAlongLeg(std::size_t portal) const;
+    std::optional<DoorCount> doorsAroundRoom(std::size_t portal) const;
+    bool followsWall(std::size_t portal) const {
+        return portal < m_aroundRoom.size() && m_aroundRoom[portal].has_value();
+    }
     std::size_t lastOfRide(std::size_t portal) const;
 
     const Building& m_building;
@@ -64,6 +69,7 @@ private:
     const std::vector<std::size_t>& m_portals;
     std::vector<double> m_flat; ///< metres on the flat up to each point of the path
     std::vector<double> m_at;   ///< the same with stairs and ramps, as in Manoeuvre::atM
+    std::vector<std::optional<DoorCount>> m_alongLeg, m_aroundRoom; ///< of each access, if it is one
 };
 
 /// By how much the access changes the level for one who walks: 0 for lifts.
@@ -242,24 +248,21 @@ std::optional<DoorCount> PathWalk::doorsAlongLeg(std::size_t portal) const {
 }
 
 /// Round a small room, from the door that one has come through.
-std::optional<DoorCount> PathWalk::doorsAlongWalls(std::size_t portal) const {
-    if (portal == 0 || portal >= m_portals.size() || changesLevel(portal - 1) || changesLevel(portal))
+std::optional<DoorCount> PathWalk::doorsAroundRoom(std::size_t portal) const {
+    if (portal == 0 || m_alongLeg[portal] || changesLevel(portal - 1) || changesLevel(portal))
         return std::nullopt;
     const Access* entry = m_building.access(m_route.accesses[portal - 1]);
     const Access* access = m_building.access(m_route.accesses[portal]);
     auto region = m_building.regionIndex(m_route.regions[portal]);
-    if (entry == nullptr || access == nullptr || !region || doorsAlongLeg(portal)) return std::nullopt;
+    if (entry == nullptr || access == nullptr || !region) return std::nullopt;
     return countAlongWalls(m_building, *region, *entry, *access);
 }
 
 void PathWalk::addDoorCount(std::size_t portal, Manoeuvre& manoeuvre) const {
-    auto count = doorsAlongLeg(portal);
-    if (!count) {
-        count = doorsAlongWalls(portal);
-        manoeuvre.alongWall = count.has_value();
-    }
+    manoeuvre.alongWall = followsWall(portal);
+    const auto& count = manoeuvre.alongWall ? m_aroundRoom[portal] : m_alongLeg[portal];
     // Who follows a wall from the door on has no turn to make behind it.
-    if (manoeuvre.behind && doorsAlongWalls(portal + 1)) manoeuvre.behind = Radians{};
+    if (manoeuvre.behind && followsWall(portal + 1)) manoeuvre.behind = Radians{};
     if (!count) return;
     manoeuvre.side = count->left ? Side::Left : Side::Right;
     manoeuvre.number = count->number;
@@ -288,9 +291,6 @@ Manoeuvre PathWalk::passing(std::size_t portal, const Bend& bend) const {
 }
 
 std::vector<Manoeuvre> PathWalk::manoeuvres() const {
-    if (m_route.path.empty() || m_route.regions.empty() || m_portals.size() != m_route.accesses.size() ||
-        m_route.regions.size() != m_portals.size() + 1)
-        return {};
     std::vector<Manoeuvre> list{end(ManoeuvreKind::Start)};
     std::vector<Cluster> all = clusters();
     std::size_t region = 0;
@@ -301,7 +301,7 @@ std::vector<Manoeuvre> PathWalk::manoeuvres() const {
         if (all[i].portal) {
             list.push_back(passing(*all[i].portal, bend));
             region = *all[i].portal + 1;
-        } else if (std::abs(bend.turn.value) >= kTurnRadians && !doorsAlongWalls(region)) {
+        } else if (std::abs(bend.turn.value) >= kTurnRadians && !followsWall(region)) {
             Manoeuvre manoeuvre;
             manoeuvre.kind = ManoeuvreKind::Turn;
             manoeuvre.from = manoeuvre.into = m_route.regions[region];
@@ -340,6 +340,9 @@ ManoeuvreKind manoeuvreKindOf(AccessKind kind) {
 
 std::vector<Manoeuvre> manoeuvresAlong(const Building& building, const Route& route,
                                        const std::vector<std::size_t>& portals) {
+    bool whole = !route.path.empty() && portals.size() == route.accesses.size() &&
+                 route.regions.size() == portals.size() + 1;
+    if (!whole) return {};
     return PathWalk(building, route, portals).manoeuvres();
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/routing/route.h"
 #include "tests/guidance/guided.h"
+#include "tests/support/lobby_map.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>
@@ -56,25 +57,9 @@ TEST(Facing, WhoFacesAwayIsTurnedRoundAndThenLed) {
     EXPECT_FALSE(order->hour) << "it would not hold after the turn";
 }
 
-AsciiMap lobby() {
-    return AsciiMap().floor(R"(
-        +----+----+------+
-        |W   |N   |E     |
-        |    |    |      |
-        |    +-/--+      |
-        |    |L   /      |
-        |1   /2 4 +------+
-        |    |3   |F     |
-        |    |    /      |
-        |    +--/-+      |
-        |    |S   |      |
-        +----+----+------+
-    )");
-}
-
 /// Comes into the lobby from W, on the way to F.
 Guided inLobby() {
-    Guided walk(lobby(), {}, {}, true);
+    Guided walk(test::lobbyMap(), {}, {}, true);
     walk.tracker.setDestination(at("F"));
     standing(walk, "W", '1', 0.0, 2.0);
     return walk;
@@ -82,7 +67,7 @@ Guided inLobby() {
 
 TEST(Facing, InALobbyTheWallIsToldFromTheDoorOn) {
     Guided walk = inLobby();
-    const std::vector<Cue> heard = standing(walk, "L", '2', 0.0, 12.0);
+    const std::vector<Cue> heard = standing(walk, "L", '6', 0.0, 12.0);
     const Cue* told = lastOrder(heard);
     ASSERT_NE(told, nullptr);
     EXPECT_EQ(told->manoeuvre->number, 2);
@@ -94,7 +79,7 @@ TEST(Facing, InALobbyTheWallIsToldFromTheDoorOn) {
 
 TEST(Facing, OnTheWayAlongTheWallTheDoorsThatAreLeftAreTold) {
     Guided walk = inLobby();
-    const std::vector<Cue> heard = standing(walk, "L", '3', -80.0, 40.0, 15.0, 0.2);
+    const std::vector<Cue> heard = standing(walk, "L", '7', -80.0, 40.0, 15.0, 0.2);
     const Cue* order = lastOrder(heard);
     ASSERT_NE(order, nullptr);
     EXPECT_TRUE(order->manoeuvre->alongWall);
@@ -105,7 +90,7 @@ TEST(Facing, OnTheWayAlongTheWallTheDoorsThatAreLeftAreTold) {
 
 TEST(Facing, InTheMiddleOfALobbyNoWallIsToldToOneWhoFacesNobodyKnowsWhere) {
     Guided walk = inLobby();
-    const std::vector<Cue> heard = standing(walk, "L", '4', 0.0, 40.0, 90.0);
+    const std::vector<Cue> heard = standing(walk, "L", '8', 0.0, 40.0, 90.0);
     const Cue* order = lastOrder(heard);
     ASSERT_NE(order, nullptr) << "silence is no answer either";
     EXPECT_FALSE(order->manoeuvre->alongWall);

@@ -29,6 +29,20 @@ std::vector<CueKind> kindsOf(const std::vector<Cue>& cues) {
     return kinds;
 }
 
+/// An arrival that waits behind a sentence expires when the user seems to be out again for a moment.
+TEST(GuidedWalk, AnArrivalThatMayNotHaveBeenHeardIsToldAgain) {
+    Guided walk;
+    walk.secondsBetween = 2.0;
+    walk.tracker.setDestination(at("B"));
+    for (const char* region : {"A", "K", "B"}) walk.seen(region);
+    EXPECT_EQ(walk.count(CueKind::Arrived), 1U);
+    walk.seen("K");
+    for (int i = 0; i < 3; ++i) walk.seen("B");
+    EXPECT_EQ(walk.count(CueKind::Arrived), 1U) << "not twice in a breath";
+    for (int i = 0; i < 12; ++i) walk.seen("B");
+    EXPECT_EQ(walk.count(CueKind::Arrived), 2U);
+}
+
 TEST(GuidedWalk, EveryDoorOnTheWayIsToldBeforeItAndArrivalAtTheEnd) {
     Guided walk;
     walk.tracker.setDestination(at("U"));

@@ -1,5 +1,5 @@
 #include "core/simulation/walker.h"
-#include "tests/support/ascii_map.h"
+#include "tests/support/lobby_map.h"
 
 #include <algorithm>
 #include <cmath>
@@ -260,20 +260,7 @@ TEST(Walker, FindsADoorThatIsDrawnInTheMiddleOfAThickWall) {
 }
 
 TEST(Walker, FollowsAWallToTheDoorThatWasCounted) {
-    AsciiMap map;
-    map.floor(R"(
-        +----+----+------+
-        |W   |N   |E     |
-        |    |    |      |
-        |    +-/--+      |
-        |    |L   /      |
-        | 1  /    +------+
-        |    |    |F     |
-        |    |    /      |
-        |    +--/-+      |
-        |    |S   |      |
-        +----+----+------+
-    )");
+    AsciiMap map = test::lobbyMap();
     auto building = map.build();
     const std::map<std::pair<routing::Side, int>, std::string> kDoors{{{routing::Side::Right, 1}, "S"},
                                                                       {{routing::Side::Right, 2}, "F"},

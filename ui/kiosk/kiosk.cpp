@@ -184,6 +184,7 @@ void Kiosk::utteranceCame(const Utterance& utterance) {
     const UtteranceState state = utterance.state;
     const bool heard = state == UtteranceState::Speaking || state == UtteranceState::Shown;
     if (heard) Q_EMIT spoken(utterance.text);
+    if (heard && !utterance.own) m_machine.told(utterance.cue);
     if (state == UtteranceState::Speaking && !utterance.own) m_walk.heard(utterance.cue);
     m_log.write(utterance);
     if (!m_log.trouble().isEmpty() && m_detail.isEmpty()) setDetail(m_log.trouble());

@@ -26,10 +26,13 @@ QString nextLanguage() {
     return all[(at + 1) % all.size()].code;
 }
 
+bool isArrival(const Cue& cue) {
+    return cue.kind == CueKind::Arrived || cue.kind == CueKind::AlreadyThere;
+}
+
 bool namesDestination(const Cue& cue) {
     return !cue.region.empty() && !cue.asked &&
-           (cue.kind == CueKind::RouteStart || cue.kind == CueKind::Arrived ||
-            cue.kind == CueKind::AlreadyThere || cue.kind == CueKind::NoRoute);
+           (cue.kind == CueKind::RouteStart || cue.kind == CueKind::NoRoute || isArrival(cue));
 }
 
 } // namespace
@@ -155,12 +158,7 @@ bool KioskMachine::wants(const Cue& cue) {
     // What was on its way when another destination was chosen.
     if (m_destination && namesDestination(cue) && cue.region != *m_destination) return false;
     if (m_state == KioskState::Leaving) return warning;
-    if (way && (cue.kind == CueKind::Arrived || cue.kind == CueKind::AlreadyThere)) {
-        stopSweep();
-        m_arrivalSure = cue.sure;
-        setState(KioskState::Arrived);
-        return true;
-    }
+    if (way && isArrival(cue)) return true;
     if (m_sweep > 0 && cue.kind == CueKind::Unsure) return false; // one coach at a time
     if (warning || cue.asked) return true;
     switch (state) {
@@ -180,6 +178,15 @@ bool KioskMachine::wants(const Cue& cue) {
     default:
         return false;
     }
+}
+
+void KioskMachine::told(const Cue& cue) {
+    const KioskState state = underlying();
+    const bool way = state == KioskState::Walking || state == KioskState::Preview;
+    if (!way || !isArrival(cue) || m_state == KioskState::Leaving) return;
+    stopSweep();
+    m_arrivalSure = cue.sure;
+    setState(KioskState::Arrived);
 }
 
 void KioskMachine::press(const KioskKey& key) {

@@ -54,8 +54,10 @@ public:
     void setWish(const RegionId& destination, bool afterCrash, const std::optional<RegionId>& region);
     void press(const KioskKey& key);
     void holdBack(); ///< the Escape key was held down: leaves
-    /// Is this cue to be spoken now? Arrival and refusals change the state.
+    /// Is this cue to be spoken now? A refusal changes the state.
     bool wants(const guidance::Cue& cue);
+    /// It is being spoken, or shown instead: who has heard of the arrival is there. What waits may yet expire.
+    void told(const guidance::Cue& cue);
     void answered() { m_patience.stop(); } ///< what was asked has been told
     void retranslate();
 

@@ -29,6 +29,7 @@ public:
     void repeatLast();
     void rebuild(); ///< the voice anew, as the settings and `make` now say
     void reset();   ///< a new walk: nothing of the old one is said any more
+    void setGapMs(int gapMs) { m_queue->setGapMs(gapMs); } ///< silence between two utterances; tests: 0
     QString status() const { return m_status; }
     bool trouble() const { return m_trouble; }
 

@@ -167,6 +167,18 @@ class Kiosk:
                 return line["text"]
         return self.hear(*parts, seconds=seconds)
 
+    def answer(self, key, seconds=60.0):
+        """What is said to this key, whatever the walk says at the same moment."""
+        self.listen()
+        before = len(self.heard)
+        self.press(key)
+
+        def check():
+            self.listen()
+            return next((line["text"] for line in self.heard[before:] if line["cause"] == "key"), None)
+
+        return wait_for(check, seconds, f"an answer to {key}")
+
     def leave(self):
         """Escape held down, as the user leaves."""
         at = self._screen.down("Escape")

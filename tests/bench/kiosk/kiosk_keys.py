@@ -20,6 +20,7 @@ from desk import Kiosk, Screen  # noqa: E402
 
 GOAL_MS = 300.0
 SILENT_S = 8.0
+LED_S = 400.0
 KEYS = (["Up", "Down", "Left", "Right", "Home", "End", "Return", "space", "Escape", "Tab", "BackSpace", "Delete",
          "Insert", "Prior", "Next", "plus", "minus", "period", "Caps_Lock", "Num_Lock", "F1", "F2", "F3", "F4", "F12"]
         + list("wanlsmvdufbz05")
@@ -58,10 +59,18 @@ class Driver:
         if next(told, "").startswith("Two keys:") != wanted:
             self.say("F4", "Two keys", "All keys")
 
+    def quiet(self, wanted):
+        told = (line["text"] for line in reversed(self.kiosk.heard)
+                if line["text"].startswith("Quiet:") or "everything again" in line["text"])
+        if next(told, "").startswith("Quiet:") != wanted:
+            self.say("m", "Quiet", "everything again")
+
     def bring(self, state):
         self.to_list()
         self.two_keys(False)
         way = state.split(": ")[-1]
+        if way != "quiet":
+            self.quiet(False)
         if way == "search":
             self.say("f", "Type part")
         elif way == "help":
@@ -75,15 +84,17 @@ class Driver:
             if way != "preview":
                 self.say("Return", "")
             if way == "quiet":
-                self.say("m", "Quiet", "everything again")
-                if "everything" in self.kiosk.heard[-1]["text"]:
-                    self.say("m", "Quiet")
+                self.quiet(True)
             if way == "stop?":
                 self.say("Escape", "Stop the guidance?")
         elif way == "arrived":
             self.choose("Office 0.03", "0", "period", "0", "3")
             arrival = ("already there", "there already", "have arrived", "have probably arrived")
-            self.kiosk.hear_since_key(*arrival)
+            try:
+                self.kiosk.hear_since_key(*arrival, seconds=5.0)
+            except TimeoutError:  # the states before have led the user away
+                self.say("Return", "")
+                self.kiosk.hear_since_key(*arrival, seconds=LED_S)
         if state.startswith("two keys"):
             self.two_keys(True)
 

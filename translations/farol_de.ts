@@ -3029,11 +3029,6 @@ Open a camera, a video or a folder of pictures, then press Play.</source>
         <translation>Diese Taste tut nichts. Escape: zurück.</translation>
     </message>
     <message>
-        <source>%1: %2.</source>
-        <extracomment>%1 a key, %2 what it does</extracomment>
-        <translation>%1: %2.</translation>
-    </message>
-    <message>
         <source>Back to the kinds of places.</source>
         <translation>Zurück zu den Arten von Orten.</translation>
     </message>
@@ -3539,6 +3534,11 @@ Open a camera, a video or a folder of pictures, then press Play.</source>
     <message>
         <source>another language</source>
         <translation>eine andere Sprache</translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <extracomment>%1 a key, %2 what it does</extracomment>
+        <translation>%1: %2.</translation>
     </message>
 </context>
 <context>
@@ -5567,12 +5567,11 @@ Open one with Ctrl+O.</source>
         <translation>folgen Sie der Wand rechts von Ihnen und gehen Sie durch die Öffnung</translation>
     </message>
     <message>
-        <extracomment>%1 &quot;second&quot;</extracomment>
         <source>follow the wall on your left and go through the %1 door</source>
+        <extracomment>%1 &quot;second&quot;</extracomment>
         <translation>folgen Sie der Wand links von Ihnen und gehen Sie durch die %1 Tür</translation>
     </message>
     <message>
-        <extracomment>%1 &quot;second&quot;</extracomment>
         <source>follow the wall on your right and go through the %1 door</source>
         <translation>folgen Sie der Wand rechts von Ihnen und gehen Sie durch die %1 Tür</translation>
     </message>

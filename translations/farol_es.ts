@@ -3029,11 +3029,6 @@ Abra una cámara, un vídeo o una carpeta de imágenes y pulse Reproducir.</tran
         <translation>Esta tecla no hace nada. Escape: volver.</translation>
     </message>
     <message>
-        <source>%1: %2.</source>
-        <extracomment>%1 a key, %2 what it does</extracomment>
-        <translation>%1: %2.</translation>
-    </message>
-    <message>
         <source>Back to the kinds of places.</source>
         <translation>Volver a los tipos de lugares.</translation>
     </message>
@@ -3539,6 +3534,11 @@ Abra una cámara, un vídeo o una carpeta de imágenes y pulse Reproducir.</tran
     <message>
         <source>another language</source>
         <translation>otro idioma</translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <extracomment>%1 a key, %2 what it does</extracomment>
+        <translation>%1: %2.</translation>
     </message>
 </context>
 <context>
@@ -5567,12 +5567,11 @@ Abra uno con Ctrl+O.</translation>
         <translation>siga la pared a su derecha y cruce la abertura</translation>
     </message>
     <message>
-        <extracomment>%1 &quot;second&quot;</extracomment>
         <source>follow the wall on your left and go through the %1 door</source>
+        <extracomment>%1 &quot;second&quot;</extracomment>
         <translation>siga la pared a su izquierda y cruce la %1 puerta</translation>
     </message>
     <message>
-        <extracomment>%1 &quot;second&quot;</extracomment>
         <source>follow the wall on your right and go through the %1 door</source>
         <translation>siga la pared a su derecha y cruce la %1 puerta</translation>
     </message>

@@ -3029,11 +3029,6 @@ Ouvrez une caméra, une vidéo ou un dossier d&apos;images, puis appuyez sur Lec
         <translation>Cette touche ne fait rien. Échap&#xa0;: retour.</translation>
     </message>
     <message>
-        <source>%1: %2.</source>
-        <extracomment>%1 a key, %2 what it does</extracomment>
-        <translation>%1&#xa0;: %2.</translation>
-    </message>
-    <message>
         <source>Back to the kinds of places.</source>
         <translation>Retour aux types de lieux.</translation>
     </message>
@@ -3539,6 +3534,11 @@ Ouvrez une caméra, une vidéo ou un dossier d&apos;images, puis appuyez sur Lec
     <message>
         <source>another language</source>
         <translation>une autre langue</translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <extracomment>%1 a key, %2 what it does</extracomment>
+        <translation>%1&#xa0;: %2.</translation>
     </message>
 </context>
 <context>
@@ -5567,12 +5567,11 @@ Ouvrez-en une avec Ctrl+O.</translation>
         <translation>suivez le mur à votre droite et passez par l&apos;ouverture</translation>
     </message>
     <message>
-        <extracomment>%1 &quot;second&quot;</extracomment>
         <source>follow the wall on your left and go through the %1 door</source>
+        <extracomment>%1 &quot;second&quot;</extracomment>
         <translation>suivez le mur à votre gauche et passez par la %1 porte</translation>
     </message>
     <message>
-        <extracomment>%1 &quot;second&quot;</extracomment>
         <source>follow the wall on your right and go through the %1 door</source>
         <translation>suivez le mur à votre droite et passez par la %1 porte</translation>
     </message>

@@ -3029,11 +3029,6 @@ Abra uma câmara, um vídeo ou uma pasta de imagens e depois prima Reproduzir.</
         <translation>Esta tecla não faz nada. Escape: voltar.</translation>
     </message>
     <message>
-        <source>%1: %2.</source>
-        <extracomment>%1 a key, %2 what it does</extracomment>
-        <translation>%1: %2.</translation>
-    </message>
-    <message>
         <source>Back to the kinds of places.</source>
         <translation>Voltar aos tipos de lugares.</translation>
     </message>
@@ -3539,6 +3534,11 @@ Abra uma câmara, um vídeo ou uma pasta de imagens e depois prima Reproduzir.</
     <message>
         <source>another language</source>
         <translation>outro idioma</translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <extracomment>%1 a key, %2 what it does</extracomment>
+        <translation>%1: %2.</translation>
     </message>
 </context>
 <context>
@@ -5880,12 +5880,11 @@ Abra um com Ctrl+O.</translation>
         <translation>siga a parede à sua direita e atravesse a abertura</translation>
     </message>
     <message>
-        <extracomment>%1 &quot;second&quot;</extracomment>
         <source>follow the wall on your left and go through the %1 door</source>
+        <extracomment>%1 &quot;second&quot;</extracomment>
         <translation>siga a parede à sua esquerda e atravesse a %1 porta</translation>
     </message>
     <message>
-        <extracomment>%1 &quot;second&quot;</extracomment>
         <source>follow the wall on your right and go through the %1 door</source>
         <translation>siga a parede à sua direita e atravesse a %1 porta</translation>
     </message>

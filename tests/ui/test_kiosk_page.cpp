@@ -6,9 +6,12 @@
 
 #include <QKeyEvent>
 #include <QLabel>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QVariantAnimation>
 
 namespace farol::ui {
 
@@ -31,6 +34,7 @@ private Q_SLOTS:
     void whoeverHoldsOnLeaves();
     void anotherKeyEndsTheHold();
     void aKeyAndItsWordStayTogether();
+    void noLineIsCutThrough();
 
 private:
     void send(QEvent::Type type, quint64 at, int key = Qt::Key_Escape);
@@ -106,6 +110,34 @@ void KioskPageTest::aKeyAndItsWordStayTogether() {
         for (const QString& entry : hint->text().split(QStringLiteral("   ")))
             QVERIFY2(!entry.contains(QLatin1Char(' ')), qPrintable(entry));
         send(QEvent::KeyRelease, 1100, Qt::Key_F1);
+        send(QEvent::KeyPress, 1200, Qt::Key_Escape);
+        send(QEvent::KeyRelease, 1300, Qt::Key_Escape);
+    }
+}
+
+/// All keys at once are more than fits: what is shown of it begins and ends between two lines.
+void KioskPageTest::noLineIsCutThrough() {
+    const auto* area = m_page->findChild<QScrollArea*>(QStringLiteral("area"));
+    const auto blank = [](const QImage& picture, int row) {
+        for (int x = 0; x < picture.width(); ++x)
+            if (picture.pixelColor(x, row) != QColor(Qt::black)) return false;
+        return true;
+    };
+    for (const QSize size : {QSize(1280, 800), QSize(1920, 1080), QSize(1366, 768)}) {
+        m_page->resize(size);
+        send(QEvent::KeyPress, 1000, Qt::Key_F1);
+        send(QEvent::KeyRelease, 1100, Qt::Key_F1);
+        QApplication::processEvents();
+        QScrollBar* bar = area->verticalScrollBar();
+        QVERIFY(bar->maximum() > 0 || size.height() == 1080);
+        auto* scroll = m_page->findChild<QVariantAnimation*>();
+        for (int part = 0; part <= 20; ++part) {
+            scroll->setCurrentTime(scroll->duration() * part / 20);
+            const QImage seen = area->viewport()->grab().toImage();
+            QVERIFY2(blank(seen, 0) && blank(seen, seen.height() - 1),
+                     qPrintable(QStringLiteral("%1 px wide, at %2").arg(size.width()).arg(bar->value())));
+        }
+        if (bar->maximum() > 0) QCOMPARE(bar->value(), bar->maximum());
         send(QEvent::KeyPress, 1200, Qt::Key_Escape);
         send(QEvent::KeyRelease, 1300, Qt::Key_Escape);
     }

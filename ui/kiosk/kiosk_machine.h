@@ -56,7 +56,8 @@ public:
     void holdBack(); ///< the Escape key was held down: leaves
     /// Is this cue to be spoken now? A refusal changes the state.
     bool wants(const guidance::Cue& cue);
-    /// It is being spoken, or shown instead: who has heard of the arrival is there. What waits may yet expire.
+    /// It is being spoken, or shown instead: who has heard of the arrival is there. What waits may yet
+    /// expire.
     void told(const guidance::Cue& cue);
     void answered() { m_patience.stop(); } ///< what was asked has been told
     void retranslate();
@@ -162,8 +163,9 @@ class KioskWords {
     Q_DECLARE_TR_FUNCTIONS(farol::ui::KioskWords)
 
 public:
-    static QString key(KioskCommand command);     ///< "W"
-    static QString meaning(KioskCommand command); ///< "where am I"
+    static QString key(KioskCommand command);       ///< "W"
+    static QString meaning(KioskCommand command);   ///< "where am I"
+    static QString explained(KioskCommand command); ///< "W: where am I."
     static QString allKeys();
     static QString numberPad();
     static QString unknownKey();

@@ -241,8 +241,7 @@ void KioskMachine::help(KioskCommand command) {
     case KioskCommand::None:
         return say(tr("This key does nothing. Escape: back."));
     default:
-        //: %1 a key, %2 what it does
-        say(tr("%1: %2.").arg(KioskWords::key(command), KioskWords::meaning(command)));
+        say(KioskWords::explained(command));
     }
 }
 

@@ -8,6 +8,8 @@
 #include <QScrollBar>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace farol::ui {
 
 namespace {
@@ -30,6 +32,30 @@ QString keptTogether(const QString& hint) {
 
 } // namespace
 
+/// Shows whole lines only: a line that is cut through can't be read.
+class LinesArea : public QScrollArea {
+public:
+    using QScrollArea::QScrollArea;
+
+    /// How high a line is, in pixels.
+    void setLine(int height) {
+        m_line = std::max(1, height);
+        fit();
+    }
+    int line() const { return m_line; }
+
+protected:
+    void resizeEvent(QResizeEvent* event) override {
+        QScrollArea::resizeEvent(event);
+        fit();
+    }
+
+private:
+    void fit() { setViewportMargins(0, 0, 0, contentsRect().height() % m_line); }
+
+    int m_line = 1;
+};
+
 KioskPage::KioskPage(Kiosk& kiosk, QWidget* parent) : QWidget(parent), m_kiosk(kiosk) {
     setObjectName(QStringLiteral("kiosk"));
     setAttribute(Qt::WA_StyledBackground);
@@ -41,7 +67,7 @@ KioskPage::KioskPage(Kiosk& kiosk, QWidget* parent) : QWidget(parent), m_kiosk(k
     m_detail = addLabel(kWhite, kPoints, QStringLiteral("detail"));
     m_hint = addLabel(kYellow, kPoints, QStringLiteral("hint"));
     m_words->setAlignment(Qt::AlignLeft | Qt::AlignTop);
-    m_area = new QScrollArea(this);
+    m_area = new LinesArea(this);
     m_area->setObjectName(QStringLiteral("area"));
     m_area->setWidget(m_words);
     m_area->setWidgetResizable(true);
@@ -49,7 +75,10 @@ KioskPage::KioskPage(Kiosk& kiosk, QWidget* parent) : QWidget(parent), m_kiosk(k
     m_area->setFocusPolicy(Qt::NoFocus);
     m_area->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    m_scroll = new QPropertyAnimation(m_area->verticalScrollBar(), "value", this);
+    m_scroll = new QVariantAnimation(this);
+    connect(m_scroll, &QVariantAnimation::valueChanged, m_area, [area = m_area](const QVariant& line) {
+        area->verticalScrollBar()->setValue(line.toInt() * area->line());
+    });
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(40, 24, 40, 24);
     layout->setSpacing(16);
@@ -85,13 +114,15 @@ void KioskPage::showWords(const QString& text) {
     m_words->setAccessibleName(text);
     QAccessibleEvent changed(m_words, QAccessible::NameChanged);
     QAccessible::updateAccessibility(&changed);
-    // What does not fit moves up as it is read.
+    // What does not fit moves up, line by line, as it is read.
     m_scroll->stop();
     m_area->verticalScrollBar()->setValue(0);
+    m_words->ensurePolished();
+    m_area->setLine(m_words->fontMetrics().lineSpacing());
     const int hidden = m_words->heightForWidth(m_area->viewport()->width()) - m_area->viewport()->height();
     if (hidden <= 0) return;
     m_scroll->setStartValue(0);
-    m_scroll->setEndValue(hidden);
+    m_scroll->setEndValue((hidden + m_area->line() - 1) / m_area->line());
     m_scroll->setDuration(static_cast<int>(text.size()) * kReadMs);
     m_scroll->start();
 }

@@ -4,14 +4,15 @@
 
 #include "ui/kiosk/kiosk.h"
 
-#include <QPropertyAnimation>
 #include <QTimer>
+#include <QVariantAnimation>
 #include <QWidget>
 
 class QLabel;
-class QScrollArea;
 
 namespace farol::ui {
+
+class LinesArea;
 
 class KioskPage : public QWidget {
     Q_OBJECT
@@ -36,8 +37,8 @@ private:
 
     Kiosk& m_kiosk;
     QLabel *m_title, *m_words, *m_detail, *m_hint;
-    QScrollArea* m_area;
-    QPropertyAnimation* m_scroll;
+    LinesArea* m_area;
+    QVariantAnimation* m_scroll;
     QTimer m_hold;
     int m_holdMs = 1500;
     int m_holdLeftMs = -1; ///< when Escape was let go

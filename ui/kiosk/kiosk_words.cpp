@@ -284,10 +284,14 @@ QString KioskWords::meaning(KioskCommand command) {
     return {};
 }
 
+QString KioskWords::explained(KioskCommand command) {
+    //: %1 a key, %2 what it does
+    return tr("%1: %2.").arg(key(command), meaning(command));
+}
+
 QString KioskWords::allKeys() {
     QStringList sentences{tr("Keys. Press one to hear what it does; F1: number pad; Escape: back.")};
-    for (const KioskCommand command : kioskCommands())
-        sentences << QStringLiteral("%1: %2.").arg(key(command), meaning(command));
+    for (const KioskCommand command : kioskCommands()) sentences << explained(command);
     return spoken::joined(sentences);
 }
 

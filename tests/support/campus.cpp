@@ -378,6 +378,10 @@ struct Placing {
 
 } // namespace
 
+std::ostream& operator<<(std::ostream& out, const CampusOptions& options) {
+    return out << options.regions << " regions, seed " << options.seed << ", turned " << options.turnDegrees;
+}
+
 BuildingData campusData(const CampusOptions& options) {
     BuildingData data = CampusDrawer(options).draw();
     double angle = options.turnDegrees * std::acos(-1.0) / 180.0;

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <ostream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -24,6 +25,9 @@ struct CampusOptions {
     Point2 origin{};          ///< of the lower left corner
     std::string crs{};        ///< WKT or "EPSG:32629"; empty: a local plane
 };
+
+/// In the names of tests and their failures.
+std::ostream& operator<<(std::ostream& out, const CampusOptions& options);
 
 building::BuildingData campusData(const CampusOptions& options = {});
 std::shared_ptr<const building::Building> makeCampus(const CampusOptions& options = {});

@@ -31,6 +31,14 @@ def asked(command):
     return done.stdout
 
 
+def engine():
+    """The last commit that changed the engine: a log may hold walks of several."""
+    try:
+        return asked(["git", "-C", str(Path(__file__).parent), "log", "-1", "--format=%h", "--", ":/core"]).strip()
+    except RuntimeError:
+        return "unknown"
+
+
 def walks_in(log):
     """What was walked before; a last line that was cut off when the program was ended is walked again."""
     lines = log.read_text().splitlines(keepends=True) if log.exists() else []
@@ -116,6 +124,7 @@ def main():
     cli = arguments.cli or f"{arguments.build}/bin/farol-cli"
     library = arguments.library or f"{arguments.build}/demo-library.gpkg"
     done = {walk["number"] for walk in walked}
+    version = engine()
 
     def walk(number, pair):
         command = [cli, "simulate", arguments.map, "--obey", "--library", library, "--fps", FPS, "--json",
@@ -124,7 +133,8 @@ def main():
         lines = asked(command + ["--transcript"]).splitlines()
         if arguments.transcripts:
             Path(arguments.transcripts, f"{number}.txt").write_text("\n".join(lines) + "\n")
-        return {"number": number, "from": pair[0], "to": pair[1], "seed": pair[2], **json.loads(lines[-1])}
+        return {"number": number, "engine": version, "from": pair[0], "to": pair[1], "seed": pair[2],
+                **json.loads(lines[-1])}
 
     if arguments.transcripts:
         Path(arguments.transcripts).mkdir(parents=True, exist_ok=True)

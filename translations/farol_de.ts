@@ -2658,10 +2658,6 @@ Open a camera, a video or a folder of pictures, then press Play.</source>
         <source>The kiosk is for a blind user who is alone: “farol --kiosk” fills the screen and says everything. Arrows and Enter choose a destination, F searches by name, digits by number; F1 says all keys, Escape goes back.</source>
         <translation>Der Kiosk ist für einen blinden Benutzer, der allein ist: „farol --kiosk“ füllt den Bildschirm und sagt alles. Pfeile und Eingabe wählen ein Ziel, F sucht nach dem Namen, Ziffern nach der Nummer; F1 sagt alle Tasten, Escape geht zurück.</translation>
     </message>
-    <message>
-        <source>Space repeats, W says where you are, A what is around you, N what comes next, L the whole way. M is quiet, plus and minus change the speed of the voice, F2 the language, F4 goes over to two keys only. Hold Escape to leave.</source>
-        <translation>Die Leertaste wiederholt, W sagt, wo Sie sind, A, was um Sie ist, N, was als Nächstes kommt, L den ganzen Weg. M macht still, Plus und Minus ändern die Geschwindigkeit der Stimme, F2 die Sprache, F4 wechselt zu nur zwei Tasten. Escape gedrückt halten, um zu gehen.</translation>
-    </message>
 </context>
 <context>
     <name>farol::ui::HistoryModel</name>

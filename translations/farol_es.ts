@@ -2658,10 +2658,6 @@ Abra una cámara, un vídeo o una carpeta de imágenes y pulse Reproducir.</tran
         <source>The kiosk is for a blind user who is alone: “farol --kiosk” fills the screen and says everything. Arrows and Enter choose a destination, F searches by name, digits by number; F1 says all keys, Escape goes back.</source>
         <translation>El quiosco es para un usuario ciego que está solo: «farol --kiosk» llena la pantalla y lo dice todo. Las flechas e Intro eligen el destino, F busca por el nombre, las cifras por el número; F1 dice todas las teclas, Escape vuelve atrás.</translation>
     </message>
-    <message>
-        <source>Space repeats, W says where you are, A what is around you, N what comes next, L the whole way. M is quiet, plus and minus change the speed of the voice, F2 the language, F4 goes over to two keys only. Hold Escape to leave.</source>
-        <translation>El espacio repite, W dice dónde está, A lo que hay alrededor, N lo que viene, L todo el camino. M calla, más y menos cambian la velocidad de la voz, F2 el idioma, F4 pasa a solo dos teclas. Mantenga Escape pulsado para salir.</translation>
-    </message>
 </context>
 <context>
     <name>farol::ui::HistoryModel</name>

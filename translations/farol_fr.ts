@@ -2658,10 +2658,6 @@ Ouvrez une caméra, une vidéo ou un dossier d&apos;images, puis appuyez sur Lec
         <source>The kiosk is for a blind user who is alone: “farol --kiosk” fills the screen and says everything. Arrows and Enter choose a destination, F searches by name, digits by number; F1 says all keys, Escape goes back.</source>
         <translation>La borne est pour un utilisateur aveugle qui est seul&#xa0;: «&#xa0;farol --kiosk&#xa0;» remplit l&apos;écran et dit tout. Les flèches et Entrée choisissent la destination, F cherche par le nom, les chiffres par le numéro&#xa0;; F1 dit toutes les touches, Échap revient en arrière.</translation>
     </message>
-    <message>
-        <source>Space repeats, W says where you are, A what is around you, N what comes next, L the whole way. M is quiet, plus and minus change the speed of the voice, F2 the language, F4 goes over to two keys only. Hold Escape to leave.</source>
-        <translation>Espace répète, W dit où vous êtes, A ce qui vous entoure, N ce qui suit, L tout le chemin. M fait taire, plus et moins changent la vitesse de la voix, F2 la langue, F4 passe à deux touches seulement. Maintenez Échap pour quitter.</translation>
-    </message>
 </context>
 <context>
     <name>farol::ui::HistoryModel</name>

@@ -2658,10 +2658,6 @@ Abra uma câmara, um vídeo ou uma pasta de imagens e depois prima Reproduzir.</
         <source>The kiosk is for a blind user who is alone: “farol --kiosk” fills the screen and says everything. Arrows and Enter choose a destination, F searches by name, digits by number; F1 says all keys, Escape goes back.</source>
         <translation>O quiosque é para um utilizador cego sozinho: “farol --kiosk” enche o ecrã e diz tudo. As setas e Enter escolhem o destino, F procura pelo nome, os algarismos pelo número; F1 diz todas as teclas, Escape volta atrás.</translation>
     </message>
-    <message>
-        <source>Space repeats, W says where you are, A what is around you, N what comes next, L the whole way. M is quiet, plus and minus change the speed of the voice, F2 the language, F4 goes over to two keys only. Hold Escape to leave.</source>
-        <translation>O espaço repete, W diz onde está, A o que há à volta, N o que vem a seguir, L todo o caminho. M cala, mais e menos mudam a velocidade da voz, F2 a língua, F4 passa para só duas teclas. Mantenha Escape premido para sair.</translation>
-    </message>
 </context>
 <context>
     <name>farol::ui::HistoryModel</name>

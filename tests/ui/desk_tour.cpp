@@ -314,9 +314,10 @@ void DeskTour::dialogs() {
     see(std::make_unique<SourceDialog>(WalkSource{QStringLiteral("camera:0"), 0.0}),
         QStringLiteral("pictures"));
     see(std::make_unique<SourceDialog>(WalkSource{m_folder.path(), 4.0}), QStringLiteral("pictures-folder"));
-    const int chapters = HelpDialog().chapters().count();
+    const std::vector<QWidget*> pictured{&m_window->page(), &m_window->mapPage(), &m_window->trainingPage()};
+    const int chapters = HelpDialog(pictured).chapters().count();
     for (int chapter = 0; chapter < chapters; ++chapter) {
-        auto dialog = std::make_unique<HelpDialog>();
+        auto dialog = std::make_unique<HelpDialog>(pictured);
         dialog->chapters().setCurrentRow(chapter);
         see(std::move(dialog), QStringLiteral("help-%1").arg(chapter + 1));
     }

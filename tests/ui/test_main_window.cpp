@@ -8,6 +8,7 @@
 #include "ui/curation/plan_panel.h"
 #include "ui/live/frame_panel.h"
 #include "ui/live/map_panel.h"
+#include "ui/main_window/help_dialog.h"
 #include "ui/main_window/keys_dialog.h"
 #include "ui/main_window/main_window.h"
 #include "ui/main_window/settings_dialog.h"
@@ -23,10 +24,12 @@
 #include <QComboBox>
 #include <QDir>
 #include <QLineEdit>
+#include <QListWidget>
 #include <QMenu>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QScrollBar>
 #include <QSet>
 #include <QSignalSpy>
@@ -36,6 +39,7 @@
 #include <QTableWidget>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTextBrowser>
 
 namespace farol::ui {
 
@@ -67,6 +71,7 @@ private Q_SLOTS:
     void tabGoesRoundTheMapPage();
     void keysBelongToThePageThatIsShown();
     void closingAsksForUnsavedChanges();
+    void helpShowsThePages();
 
 private:
     void showMapPage();
@@ -500,6 +505,29 @@ void MainWindowTest::closingAsksForUnsavedChanges() {
     QTRY_VERIFY(question());
     QTest::mouseClick(question()->button(QMessageBox::Discard), Qt::LeftButton);
     QTRY_VERIFY(!m_window->isVisible());
+}
+
+/// Also those that have not been shown yet, each with the numbers and names of its parts.
+void MainWindowTest::helpShowsThePages() {
+    m_window->actions().help->trigger();
+    auto* help = m_window->findChild<HelpDialog*>();
+    QVERIFY(help != nullptr);
+    const QStringList parts[]{{QStringLiteral("Camera picture"), QStringLiteral("Floor map"),
+                               QStringLiteral("What was said"), QStringLiteral("Timeline")},
+                              {QStringLiteral("Plan"), QStringLiteral("Attributes")},
+                              {QStringLiteral("Landmarks of the library")}};
+    for (int chapter = 0; chapter < 3; ++chapter) {
+        help->chapters().setCurrentRow(chapter);
+        const QString text = help->text().replace(QChar::Nbsp, QLatin1Char(' '));
+        for (const QString& part : parts[chapter])
+            QVERIFY2(text.contains(QRegularExpression(QStringLiteral("\\d ") + part)),
+                     qPrintable(part + text));
+        const QVariant picture = help->findChild<QTextBrowser*>()->document()->resource(
+            QTextDocument::ImageResource, QUrl(QStringLiteral("page:%1").arg(chapter)));
+        QVERIFY(picture.value<QPixmap>().height() > 200);
+    }
+    help->chapters().setCurrentRow(3);
+    QVERIFY(help->text().contains(QStringLiteral("what is around me")));
 }
 
 } // namespace farol::ui

@@ -1,9 +1,13 @@
 #pragma once
-// Help: a chapter for each page, beside a list of them. It can stay open beside the window.
+// Help: a chapter for each page with a picture of it, beside a list of them. It can stay open beside the
+// window.
 
 #include "ui/main_window/window_actions.h"
 
 #include <QDialog>
+#include <QPointer>
+
+#include <vector>
 
 class QListWidget;
 class QTextBrowser;
@@ -14,7 +18,8 @@ class HelpDialog : public QDialog {
     Q_OBJECT
 
 public:
-    explicit HelpDialog(QWidget* parent = nullptr);
+    /// `pages` in the order of Page; the chapters show them as they are when they are opened.
+    explicit HelpDialog(const std::vector<QWidget*>& pages, QWidget* parent = nullptr);
 
     void showPage(Page page);
     QListWidget& chapters() { return *m_chapters; }
@@ -26,7 +31,13 @@ protected:
 private:
     void drawPictures();
     void showChapter(int chapter);
+    QString walkChapter();
+    QString mapChapter();
+    QString landmarksChapter();
+    QString kioskChapter();
+    QString pageView(Page page);
 
+    std::vector<QPointer<QWidget>> m_pages;
     QListWidget* m_chapters;
     QTextBrowser* m_text;
 };

@@ -45,7 +45,7 @@ void MainWindow::connectSettings() {
 void MainWindow::showHelp() {
     auto* help = findChild<HelpDialog*>();
     if (!help) {
-        help = new HelpDialog(this);
+        help = new HelpDialog({m_page, m_mapPage, m_trainingPage}, this);
         help->setAttribute(Qt::WA_DeleteOnClose);
     }
     help->showPage(shownPage());

@@ -10,7 +10,6 @@
 namespace farol::guidance {
 
 using building::Access;
-using building::AccessKind;
 using routing::Manoeuvre;
 using routing::ManoeuvreKind;
 

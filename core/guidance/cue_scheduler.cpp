@@ -33,7 +33,9 @@ Result<void> GuidanceOptions::check() const {
 }
 
 CueScheduler::CueScheduler(std::shared_ptr<const building::Building> building, GuidanceOptions options)
-    : m_building(std::move(building)), m_options(options), m_memory(std::make_unique<SchedulerMemory>()) {}
+    : m_building(std::move(building)),
+      m_options(std::move(options)),
+      m_memory(std::make_unique<SchedulerMemory>()) {}
 
 CueScheduler::~CueScheduler() = default;
 CueScheduler::CueScheduler(CueScheduler&&) noexcept = default;

@@ -9,7 +9,6 @@ namespace farol::guidance {
 using localisation::Fix;
 using routing::Manoeuvre;
 using routing::ManoeuvreKind;
-using routing::PathPoint;
 using routing::Route;
 
 namespace {
@@ -159,11 +158,7 @@ Progress RouteTracker::update(const Fix& fix) {
     if (m_progress.route) {
         follow(fix);
         if (m_progress.route) watch(fix);
-    } else if (m_options.arrivalConfidence > 0.0 && fix.region == m_destination->region &&
-               fix.confidence < kAlreadyThere && !believed(fix)) {
-        // "You are there already" has to be true as well: no mere guess.
-        m_progress.travel = Travel::NoFix;
-    } else if (isGuess(fix) && !believed(fix)) {
+    } else if ((isGuess(fix) || isBarelyThere(fix)) && !believed(fix)) {
         m_progress.travel = Travel::NoFix;
     } else if (m_refusedFrom != fix.region) {
         plan(fix);
@@ -174,6 +169,12 @@ Progress RouteTracker::update(const Fix& fix) {
 
 bool RouteTracker::isGuess(const Fix& fix) const {
     return fix.confidence < m_options.guessConfidence;
+}
+
+/// "You are there already" has to be true as well.
+bool RouteTracker::isBarelyThere(const Fix& fix) const {
+    return m_options.arrivalConfidence > 0.0 && fix.region == m_destination->region &&
+           fix.confidence < kAlreadyThere;
 }
 
 /// True once a surprising fix is to be acted on.

@@ -68,6 +68,7 @@ public:
 private:
     void follow(const localisation::Fix& fix);
     bool isGuess(const localisation::Fix& fix) const;
+    bool isBarelyThere(const localisation::Fix& fix) const;
     bool believed(const localisation::Fix& fix);
     bool onThreshold(const localisation::Fix& fix) const;
     bool waitedLong(const localisation::Fix& fix);

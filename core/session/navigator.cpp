@@ -124,7 +124,7 @@ Result<std::unique_ptr<Navigator>> Navigator::create(std::shared_ptr<const build
         new Navigator(std::move(building), std::move(localiser), std::move(planner).value(), options));
 }
 
-Navigator::Navigator(std::shared_ptr<const building::Building> building,
+Navigator::Navigator(const std::shared_ptr<const building::Building>& building,
                      std::unique_ptr<localisation::Localiser> localiser,
                      std::shared_ptr<const routing::Planner> planner, const NavigatorOptions& options)
     : m_building(building),

@@ -68,7 +68,7 @@ public:
     const building::Building& building() const { return *m_building; }
 
 private:
-    Navigator(std::shared_ptr<const building::Building> building,
+    Navigator(const std::shared_ptr<const building::Building>& building,
               std::unique_ptr<localisation::Localiser> localiser,
               std::shared_ptr<const routing::Planner> planner, const NavigatorOptions& options);
 

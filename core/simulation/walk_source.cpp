@@ -57,7 +57,7 @@ Result<std::unique_ptr<WalkSource>> WalkSource::create(const World& world, const
 
 WalkSource::WalkSource(std::unique_ptr<Walker> walker, SimulatedCamera camera, WalkSourceOptions options,
                        std::string description)
-    : m_options(std::move(options)),
+    : m_options(options),
       m_description(std::move(description)),
       m_camera(std::move(camera)),
       m_walker(std::move(walker)),

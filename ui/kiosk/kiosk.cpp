@@ -280,14 +280,14 @@ void Kiosk::watchCamera() {
     KioskCamera camera = KioskCamera::Opening;
     if (m_start.source.isEmpty())
         camera = KioskCamera::None;
-    else if (m_walk.loading())
-        camera = KioskCamera::Opening;
-    else if (m_cameraLost)
-        camera = KioskCamera::Gone;
-    else if (state == session::RunState::Running || state == session::RunState::Paused)
-        camera = KioskCamera::Running;
-    else if (m_sourceBroken || state == session::RunState::Ended || state == session::RunState::Failed)
-        camera = KioskCamera::Gone;
+    else if (!m_walk.loading()) {
+        const bool runs = state == session::RunState::Running || state == session::RunState::Paused;
+        const bool ended = state == session::RunState::Ended || state == session::RunState::Failed;
+        if (m_cameraLost || (!runs && (m_sourceBroken || ended)))
+            camera = KioskCamera::Gone;
+        else if (runs)
+            camera = KioskCamera::Running;
+    }
     m_machine.setCamera(camera);
 }
 

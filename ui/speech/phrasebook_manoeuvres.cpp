@@ -334,7 +334,7 @@ QString Phrasebook::nextNoun(const Cue& cue) const {
 /// "after the extinguisher on your left"
 QString Phrasebook::markClause(const Cue& cue) const {
     if (!cue.mark) return {};
-    const QString mark = markWords(cue.mark->kind);
+    QString mark = markWords(cue.mark->kind);
     if (mark.isEmpty() || cue.mark->side == Side::None) return mark;
     //: %1 "after the extinguisher", %2 "on your left"
     return tr("%1 %2", "what and where").arg(mark, sideWords(cue.mark->side));

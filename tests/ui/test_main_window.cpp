@@ -527,7 +527,11 @@ void MainWindowTest::helpShowsThePages() {
         QVERIFY(picture.value<QPixmap>().height() > 200);
     }
     help->chapters().setCurrentRow(3);
-    QVERIFY(help->text().contains(QStringLiteral("what is around me")));
+    QVERIFY(help->text().contains(QRegularExpression(QStringLiteral("Space\\s+say again"))));
+    m_settings->setLanguage(QStringLiteral("pt"));
+    MainWindow::applyLanguage(*m_settings);
+    QTRY_VERIFY(help->text().contains(QRegularExpression(QStringLiteral("Espaço\\s+dizer outra vez"))));
+    QCOMPARE(help->chapters().item(0)->text(), QStringLiteral("Página do percurso"));
 }
 
 } // namespace farol::ui

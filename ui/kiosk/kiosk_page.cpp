@@ -76,8 +76,13 @@ KioskPage::KioskPage(Kiosk& kiosk, QWidget* parent) : QWidget(parent), m_kiosk(k
     m_area->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_scroll = new QVariantAnimation(this);
-    connect(m_scroll, &QVariantAnimation::valueChanged, m_area, [area = m_area](const QVariant& line) {
-        area->verticalScrollBar()->setValue(line.toInt() * area->line());
+    m_scroll->setStartValue(0.0);
+    m_scroll->setEndValue(1.0);
+    // Of what is hidden now: lines above and below come and go meanwhile.
+    connect(m_scroll, &QVariantAnimation::valueChanged, m_area, [area = m_area](const QVariant& share) {
+        QScrollBar& bar = *area->verticalScrollBar();
+        const int lines = (bar.maximum() + area->line() - 1) / area->line();
+        bar.setValue(static_cast<int>(share.toDouble() * lines) * area->line());
     });
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(40, 24, 40, 24);
@@ -119,10 +124,6 @@ void KioskPage::showWords(const QString& text) {
     m_area->verticalScrollBar()->setValue(0);
     m_words->ensurePolished();
     m_area->setLine(m_words->fontMetrics().lineSpacing());
-    const int hidden = m_words->heightForWidth(m_area->viewport()->width()) - m_area->viewport()->height();
-    if (hidden <= 0) return;
-    m_scroll->setStartValue(0);
-    m_scroll->setEndValue((hidden + m_area->line() - 1) / m_area->line());
     m_scroll->setDuration(static_cast<int>(text.size()) * kReadMs);
     m_scroll->start();
 }

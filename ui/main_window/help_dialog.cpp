@@ -7,7 +7,6 @@
 #include <QDialogButtonBox>
 #include <QEvent>
 #include <QListWidget>
-#include <QPainter>
 #include <QSplitter>
 #include <QTextBrowser>
 #include <QVBoxLayout>
@@ -42,34 +41,6 @@ QString plain(const QString& text) {
     return QStringLiteral("<p>%1</p>").arg(text);
 }
 
-QUrl keyUrl(const QString& key) {
-    QUrl url;
-    url.setScheme(QStringLiteral("key"));
-    url.setPath(key);
-    return url;
-}
-
-/// A key as it looks on a keyboard.
-QPixmap keyCap(const QString& name, const QWidget& on) {
-    QFont font = on.font();
-    font.setBold(true);
-    const QFontMetrics metrics(font);
-    const QSize size(std::max(metrics.height() + 8, metrics.horizontalAdvance(name) + 14),
-                     metrics.height() + 8);
-    QPixmap cap(size * on.devicePixelRatioF());
-    cap.setDevicePixelRatio(on.devicePixelRatioF());
-    cap.fill(Qt::transparent);
-    QPainter painter(&cap);
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setFont(font);
-    painter.setPen(on.palette().color(QPalette::Text));
-    painter.setBrush(on.palette().color(QPalette::Button));
-    painter.drawRoundedRect(QRectF(QPointF(0.5, 0.5), QSizeF(size) - QSizeF(1.0, 1.0)), 4.0, 4.0);
-    painter.setPen(on.palette().color(QPalette::ButtonText));
-    painter.drawText(QRect(QPoint(0, 0), size), Qt::AlignCenter, name);
-    return cap;
-}
-
 } // namespace
 
 HelpDialog::HelpDialog(const std::vector<QWidget*>& pages, QWidget* parent)
@@ -77,11 +48,7 @@ HelpDialog::HelpDialog(const std::vector<QWidget*>& pages, QWidget* parent)
       m_pages(pages.begin(), pages.end()),
       m_chapters(new QListWidget(this)),
       m_text(new QTextBrowser(this)) {
-    setWindowTitle(tr("Help"));
-    m_chapters->setAccessibleName(tr("Chapters"));
-    m_chapters->setToolTip(tr("What the help is about"));
-    m_chapters->addItems({tr("Walk page"), tr("Map page"), tr("Landmarks page"), tr("Kiosk")});
-    m_text->setAccessibleName(tr("Text of the chapter"));
+    m_chapters->addItems({QString(), QString(), QString(), QString()});
     m_text->setTabChangesFocus(true);
     m_text->setOpenExternalLinks(true);
     drawPictures();
@@ -98,7 +65,18 @@ HelpDialog::HelpDialog(const std::vector<QWidget*>& pages, QWidget* parent)
     layout->addWidget(halves, 1);
     layout->addWidget(buttons);
     m_chapters->setCurrentRow(0);
+    retranslate();
     resize(870, 640);
+}
+
+void HelpDialog::retranslate() {
+    setWindowTitle(tr("Help"));
+    m_chapters->setAccessibleName(tr("Chapters"));
+    m_chapters->setToolTip(tr("What the help is about"));
+    const QStringList titles{tr("Walk page"), tr("Map page"), tr("Landmarks page"), tr("Kiosk")};
+    for (int i = 0; i < titles.size(); ++i) m_chapters->item(i)->setText(titles[i]);
+    m_text->setAccessibleName(tr("Text of the chapter"));
+    showChapter(m_chapters->currentRow());
 }
 
 void HelpDialog::showPage(Page page) {
@@ -110,16 +88,14 @@ void HelpDialog::drawPictures() {
         m_text->document()->addResource(QTextDocument::ImageResource,
                                         QUrl(QStringLiteral("glyph:%1").arg(QLatin1String(one.name))),
                                         glyphIcon(one.glyph, palette()).pixmap(20, 20));
-    for (const KioskCommand command : kioskCommands()) {
-        const QString key = KioskWords::key(command);
-        m_text->document()->addResource(QTextDocument::ImageResource, keyUrl(key), keyCap(key, *this));
-    }
 }
 
 void HelpDialog::changeEvent(QEvent* event) {
     if (event->type() == QEvent::PaletteChange) { // from light to dark while it is open
         drawPictures();
         showChapter(m_chapters->currentRow());
+    } else if (event->type() == QEvent::LanguageChange) {
+        retranslate();
     }
     QDialog::changeEvent(event);
 }
@@ -185,11 +161,11 @@ QString HelpDialog::mapChapter() {
            item(
                "alike",
                tr("Ctrl+U marks places that the landmarks cannot tell apart. A landmark there helps most.")) +
-           plain(tr(
-               "Ctrl+Shift+U marks from where no landmark is seen, and Ctrl+Shift+N lists the routes that "
-               "are "
-               "missing. Ctrl+Shift+I lays the image of a floor plan under the floor: click two points of it "
-               "and where they belong.")) +
+           plain(
+               tr("Ctrl+Shift+U marks from where no landmark is seen, and Ctrl+Shift+N lists the routes that "
+                  "are missing. Ctrl+Shift+I lays the image of a floor plan under the floor: click two "
+                  "points of it "
+                  "and where they belong.")) +
            item("here",
                 tr("Ctrl+Shift+L puts a landmark on the plan, Ctrl+Shift+D a door. Drag what is chosen, "
                    "or move it with Alt and the arrows.")) +
@@ -197,10 +173,10 @@ QString HelpDialog::mapChapter() {
 }
 
 QString HelpDialog::landmarksChapter() {
-    return plain(tr(
-               "Here Farol is taught what it shall know again. Every change is saved by itself and can be "
-               "taken "
-               "back with Ctrl+Z; a landmark that is not finished is kept, also when the computer stops.")) +
+    return plain(
+               tr("Here Farol is taught what it shall know again. Every change is saved by itself and can be "
+                  "taken back with Ctrl+Z; a landmark that is not finished is kept, also when the computer "
+                  "stops.")) +
            pageView(Page::Landmarks) +
            item("camera", tr("Ctrl+T teaches a landmark in four steps: what it is, its views, a trial, its "
                              "place on the map.")) +
@@ -208,27 +184,27 @@ QString HelpDialog::landmarksChapter() {
                "Take a view from the front, from the left, from the right and from farther away. The coach "
                "says what is wrong with a picture and which one comes next. Drag the four corners onto the "
                "landmark; by keys, 1 to 4 choose a corner and the arrows move it.")) +
-           item("check", tr("F7 checks the whole library: how well each landmark is found, how far away, how "
-                            "far aside, "
-                            "and which are taken for each other. Merge what is the same, and add views to "
-                            "what is lost."));
+           item("check",
+                tr("F7 checks the whole library: how well each landmark is found, how far away, how "
+                   "far aside, and which are taken for each other. Merge what is the same, and add views to "
+                   "what is lost."));
 }
 
-/// All its keys, as they look.
+/// All its keys, each in a frame like a key; as text, so that it can be read aloud.
 QString HelpDialog::kioskChapter() {
+    const QString frame =
+        QStringLiteral("border: 1px solid %1; background-color: %2; padding: 4px")
+            .arg(palette().color(QPalette::Text).name(), palette().color(QPalette::Button).name());
     QString keys;
-    for (const KioskCommand command : kioskCommands()) {
-        const QString key = KioskWords::key(command);
-        keys +=
-            QStringLiteral(
-                "<tr><td valign=\"middle\"><img src=\"%1\"></td><td valign=\"middle\">%2</td></tr>")
-                .arg(keyUrl(key).toString(QUrl::FullyEncoded), KioskWords::meaning(command).toHtmlEscaped());
-    }
+    for (const KioskCommand command : kioskCommands())
+        keys += QStringLiteral("<tr><td style=\"%1\"><b>%2</b></td><td style=\"padding: 4px\">%3</td></tr>")
+                    .arg(frame, KioskWords::key(command).toHtmlEscaped(),
+                         KioskWords::meaning(command).toHtmlEscaped());
     return plain(tr(
                "The kiosk is for a blind user who is alone: “farol --kiosk” fills the screen and says "
                "everything. Arrows and Enter choose a destination, F searches by name, digits by number; F1 "
                "says all keys, Escape goes back.")) +
-           QStringLiteral("<table cellspacing=\"0\" cellpadding=\"4\">%1</table>").arg(keys);
+           QStringLiteral("<table cellspacing=\"4\">%1</table>").arg(keys);
 }
 
 } // namespace farol::ui

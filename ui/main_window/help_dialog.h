@@ -30,6 +30,7 @@ protected:
 
 private:
     void drawPictures();
+    void retranslate();
     void showChapter(int chapter);
     QString walkChapter();
     QString mapChapter();

@@ -31,10 +31,14 @@ def asked(command):
     return done.stdout
 
 
-def engine():
-    """The last commit that changed the engine: a log may hold walks of several."""
+def engine(cli):
+    """The last commit that changed the engine: a log may hold walks of several. Of another program only its name is known."""
+    if cli:
+        return Path(cli).name
+    git = ["git", "-C", str(Path(__file__).parent)]
     try:
-        return asked(["git", "-C", str(Path(__file__).parent), "log", "-1", "--format=%h", "--", ":/core"]).strip()
+        changed = asked(git + ["status", "--porcelain", "--", ":/core"]).strip()
+        return asked(git + ["log", "-1", "--format=%h", "--", ":/core"]).strip() + (" changed" if changed else "")
     except RuntimeError:
         return "unknown"
 
@@ -124,7 +128,7 @@ def main():
     cli = arguments.cli or f"{arguments.build}/bin/farol-cli"
     library = arguments.library or f"{arguments.build}/demo-library.gpkg"
     done = {walk["number"] for walk in walked}
-    version = engine()
+    version = engine(arguments.cli)
 
     def walk(number, pair):
         command = [cli, "simulate", arguments.map, "--obey", "--library", library, "--fps", FPS, "--json",

@@ -11,7 +11,27 @@ namespace farol::cli {
 
 namespace {
 
-constexpr double kPoseEveryS = 5.0;
+constexpr double kPoseEveryS = 5.0, kSameSightS = 5.0;
+
+/// "sees poster welcome, 3.1 m, 20 degrees left".
+std::string sightOf(const recognition::Detection& seen) {
+    std::string words = "sees " + std::string(kindName(seen.kind));
+    if (!seen.templateId.value.empty()) words += " " + seen.templateId.value;
+    if (!seen.text.empty()) words += " \"" + seen.text + "\"";
+    char figure[48];
+    if (seen.rangeM) {
+        std::snprintf(figure, sizeof figure, ", %.1f m", *seen.rangeM);
+        words += figure;
+    }
+    if (seen.bearing) {
+        double degrees = toDegrees(*seen.bearing);
+        std::snprintf(figure, sizeof figure, ", %.0f degrees %s", std::abs(degrees),
+                      degrees < 0.0 ? "right" : "left");
+        words += figure;
+    }
+    std::snprintf(figure, sizeof figure, " (%.2f)", seen.score);
+    return words + figure;
+}
 
 } // namespace
 
@@ -28,6 +48,18 @@ LoopTranscript::LoopTranscript(const building::Building& building) {
         for (Point2 p : region.polygon.outer) {
             m_corner = first ? p : Point2{std::min(m_corner.x, p.x), std::min(m_corner.y, p.y)};
             first = false;
+        }
+    }
+}
+
+void LoopTranscript::sights(double time, const std::vector<localisation::Observation>& fresh) {
+    for (const localisation::Observation& seen : fresh) {
+        const recognition::Detection& thing = seen.detection;
+        std::string name = std::string(kindName(thing.kind)) + " " + thing.templateId.value + " " + thing.text;
+        auto told = m_seen.find(name);
+        if (told == m_seen.end() || time - told->second >= kSameSightS) {
+            printLine("            " + sightOf(thing));
+            m_seen[name] = time;
         }
     }
 }
@@ -59,6 +91,7 @@ void LoopTranscript::moment(const session::ClosedLoopMoment& moment) {
         m_taken = fix.region;
         m_told = time;
     }
+    sights(time, moment.step.fresh);
     for (const guidance::Cue& cue : moment.step.cues) {
         std::string text = m_phrasebook.sentence(cue).toStdString();
         char when[24];

@@ -294,7 +294,7 @@ void addSimulateCommand(CLI::App& app, int& exitCode) {
     command->add_flag("--sentences", options->sentences,
                       "The walker hears nothing but the English sentences, without what they were made of");
     command->add_flag("--transcript", options->transcript,
-                      "Print where the walker of one walk really is, and what is said");
+                      "Print where the walker of one walk really is, what is recognised and what is said");
     command->add_flag("--no-vision", options->noVision,
                       "Detections drawn from the truth instead of pictures");
     command

@@ -6202,6 +6202,11 @@ Open one with Ctrl+O.</source>
         <source>to the north</source>
         <translation>im Norden</translation>
     </message>
+    <message>
+        <source>Stop.</source>
+        <extracomment>To somebody who walks, or is opening a door</extracomment>
+        <translation>Halt.</translation>
+    </message>
 </context>
 <context>
     <name>farol::ui::PictureReel</name>

@@ -6202,6 +6202,11 @@ Abra uno con Ctrl+O.</translation>
         <source>to the north</source>
         <translation>al norte</translation>
     </message>
+    <message>
+        <source>Stop.</source>
+        <extracomment>To somebody who walks, or is opening a door</extracomment>
+        <translation>Deténgase.</translation>
+    </message>
 </context>
 <context>
     <name>farol::ui::PictureReel</name>

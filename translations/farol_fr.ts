@@ -6202,6 +6202,11 @@ Ouvrez-en une avec Ctrl+O.</translation>
         <source>to the north</source>
         <translation>au nord</translation>
     </message>
+    <message>
+        <source>Stop.</source>
+        <extracomment>To somebody who walks, or is opening a door</extracomment>
+        <translation>Arrêtez-vous.</translation>
+    </message>
 </context>
 <context>
     <name>farol::ui::PictureReel</name>

@@ -6202,6 +6202,11 @@ Abra um com Ctrl+O.</translation>
         <comment>on the spot</comment>
         <translation>vire-se muito para a direita</translation>
     </message>
+    <message>
+        <source>Stop.</source>
+        <extracomment>To somebody who walks, or is opening a door</extracomment>
+        <translation>Pare.</translation>
+    </message>
 </context>
 <context>
     <name>farol::ui::PictureReel</name>

@@ -102,10 +102,13 @@ struct Cue {
     /// yet.
     bool facingWay = true;
     std::optional<Mark> mark; ///< Prepare: what comes just before the manoeuvre
-    bool staying = false;     ///< a lift that the user is in already, and stays in
-    RegionId region;          ///< RouteStart, Arrived: destination; Located: where; others: region ahead
-    std::string regionName;   ///< spoken name of `region`
-    std::string intoName;     ///< spoken name of the region that the manoeuvre leads into
+    /// Arrived, AlreadyThere: an order to go on was told a moment ago by a guess, and may be just about to be
+    /// followed.
+    bool stop = false;
+    bool staying = false;   ///< a lift that the user is in already, and stays in
+    RegionId region;        ///< RouteStart, Arrived: destination; Located: where; others: region ahead
+    std::string regionName; ///< spoken name of `region`
+    std::string intoName;   ///< spoken name of the region that the manoeuvre leads into
     /// Kinds of `region`, and of where the manoeuvre leads from and into: said where a name is missing.
     building::RegionKind regionKind = building::RegionKind::Other;
     building::RegionKind fromKind = building::RegionKind::Other;

@@ -36,6 +36,10 @@ constexpr double kReassureEvidenceSeconds = 10.0;
 constexpr double kAdvanceM = 0.5;
 constexpr double kStandingSeconds = 4.0; ///< in which nobody who walks is not half a metre on
 
+/// Below, an order may be told to one who is behind its door already; and from the order to having gone
+/// through.
+constexpr double kWellKnown = 0.8;
+constexpr double kOnTheHandleSeconds = 20.0;
 constexpr double kActSeconds = 4.0, kPrepareSeconds = 6.0, kStartSeconds = 15.0, kReassureSeconds = 4.0,
                  kArrivalSeconds = 20.0, kOffRouteSeconds = 8.0, kRefusalSeconds = 20.0;
 /// Who walks this far off the direction of the way does not walk along it.
@@ -91,7 +95,18 @@ Cue CueStep::routeCue(CueKind kind, CuePriority priority, double seconds) const 
     return cue;
 }
 
+/// Words on which somebody walks through a door at once, if one is at hand.
+bool CueStep::ordersSomething(const Cue& cue) const {
+    bool begins = cue.kind == CueKind::RouteStart || cue.kind == CueKind::OffRoute;
+    bool near = !m_progress.distanceM || *m_progress.distanceM <= m_options.actDistanceM + kActAtOnceM;
+    return cue.manoeuvre && (cue.kind == CueKind::Act || (begins && near));
+}
+
 void CueStep::add(Cue cue) {
+    if (ordersSomething(cue)) {
+        m_memory.doubtfulOrderAt.reset();
+        if (m_fix.confidence < kWellKnown) m_memory.doubtfulOrderAt = m_fix.time;
+    }
     if (cue.routeVersion != 0) {
         m_routeTold = true;
         m_memory.routeToldAt = m_fix.time;
@@ -265,7 +280,10 @@ void CueStep::tellArrival() {
     if (m_memory.arrivedToldAt && m_fix.time - *m_memory.arrivedToldAt < m_options.repeatAfterSeconds) return;
     m_memory.regionIndex = m_progress.regionsPassed;
     m_memory.arrivedToldAt = m_fix.time;
-    add(arrivalCue());
+    Cue cue = arrivalCue();
+    // Who was sent through a door by a guess, and was there already, may have his hand on its handle.
+    cue.stop = m_memory.doubtfulOrderAt && m_fix.time - *m_memory.doubtfulOrderAt <= kOnTheHandleSeconds;
+    add(std::move(cue));
 }
 
 void CueStep::tellStart() {

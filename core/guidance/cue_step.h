@@ -27,6 +27,8 @@ struct SchedulerMemory {
     std::optional<double> routeToldAt;       ///< any cue of the route
     std::optional<double> remainingWhenTold; ///< metres to the destination then
     std::optional<double> arrivedToldAt;
+    /// When something was told to be done at once by a guess; not forgotten with the route.
+    std::optional<double> doubtfulOrderAt;
     struct Advance {
         double spotTime = 0.0, remainingM = 0.0;
         std::optional<Point2> at;
@@ -105,6 +107,7 @@ private:
 
     void tellRefusal();
     void tellArrival();
+    bool ordersSomething(const Cue& cue) const;
     void tellStart();
     void tellOffRoute();
     void tellManoeuvre();

@@ -29,8 +29,8 @@ struct Detection {
     ImageSize image;
     double score = 0.0; ///< 0 to 1, comparable within a kind
     int inliers = 0;    ///< matched keypoints that fit; 0 where that has no meaning
-    /// Of a place: how much of the view its geometry explains, and what it would explain of others. 0: not
-    /// told.
+    /// Of a place: how much of the view its geometry explains, and what it would explain of others. Of
+    /// another trained object: the logarithm of the odds that it is there, by its match alone. 0: not told.
     double strength = 0.0;
     std::vector<LookAlike> lookAlikes;
     std::optional<double> rangeM;

@@ -471,6 +471,7 @@ bool ObjectMatcher::verify(const Candidate& candidate, const cv::Mat& grey, cons
     detection.quad = best.quad;
     detection.image = {grey.cols, grey.rows};
     detection.inliers = best.evidence.inliers;
+    detection.strength = std::max(0.0, best.odds);
     detection.score = std::clamp(
         0.5 * detection.inliers / (detection.inliers + 8.0) + 0.5 * best.evidence.correlation, 0.0, 1.0);
     result.detections.push_back(std::move(detection));

@@ -193,6 +193,7 @@ void addCueDetails(Json& json, const guidance::Cue& cue) {
     if (cue.kind == guidance::CueKind::OffRoute) json["deviation"] = guidance::deviationName(cue.deviation);
     if (cue.manoeuvre && !cue.facingWay) json["facing_way"] = false;
     if (cue.staying) json["staying"] = true;
+    if (cue.stop) json["stop"] = true;
     if (cue.mark) json["after"] = {{"kind", kindName(cue.mark->kind)}, {"side", sideName(cue.mark->side)}};
     if (cue.kind == guidance::CueKind::Around) {
         json["bearing"] = guidance::bearingName(cue.bearing);

@@ -221,10 +221,16 @@ public:
 private:
     void hearSentence(const std::string& sentence, const std::string& following) {
         std::string_view text = sentence;
+        if (text == "Stop" || text == "Stop.") {
+            m_heard.stop = true;
+            return;
+        }
         for (const Fixed& fixed : kFixed) {
             if (!begins(text, fixed.words)) continue;
             m_heard.order = fixed.order;
             m_heard.sweep = fixed.sweep;
+            // The look around goes on with "Stop, and turn".
+            if (fixed.sweep == SweepStep::Right || begins(text, "Stop")) m_heard.stop = true;
             return;
         }
         if (hearDeviation(text) || hearRoute(text) || hearPlace(text)) return;

@@ -132,6 +132,13 @@ void WalkBody::take(const Felt& felt, const std::string& level) {
     }
 }
 
+void WalkBody::stop() {
+    bool before =
+        std::any_of(m_legs.begin(), m_legs.end(), [](const Leg& leg) { return leg.through.has_value(); });
+    bool climbs = std::any_of(m_legs.begin(), m_legs.end(), [](const Leg& leg) { return leg.climbS > 0.0; });
+    if (before && !climbs) m_legs.clear();
+}
+
 void WalkBody::followLeg(double seconds) {
     Leg& leg = m_legs.front();
     if (leg.waitS > 0.0) {

@@ -63,6 +63,8 @@ public:
     void step(double seconds, double speed, Radians turnRate);
     /// Takes what is felt. Of a lift `level` is the button; empty: the next level that way.
     void take(const Felt& felt, const std::string& level);
+    /// Leaves a door or opening that is being taken, if it is not passed yet.
+    void stop();
     bool busy() const { return !m_legs.empty(); }
     /// What was passed since it was last asked: by `take`, or an opening simply walked through.
     std::optional<building::AccessKind> takePassed() { return std::exchange(m_passed, std::nullopt); }

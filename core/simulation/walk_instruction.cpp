@@ -147,18 +147,22 @@ WalkInstruction instructionOf(const Cue& cue) {
     case CueKind::Arrived:
     case CueKind::AlreadyThere:
         instruction.order = Order::Arrived;
+        instruction.stop = cue.stop;
         break;
     case CueKind::Unsure:
         instruction.order = Order::Sweep;
         instruction.sweep = cue.sweep == SweepStep::None ? SweepStep::Right : cue.sweep;
+        instruction.stop = instruction.sweep == SweepStep::Right;
         break;
     case CueKind::NoRoute:
         instruction.order = Order::Halt;
         break;
     case CueKind::Warning:
         if (cue.reason == guidance::CueReason::CameraLost ||
-            cue.reason == guidance::CueReason::PictureCovered)
+            cue.reason == guidance::CueReason::PictureCovered) {
             instruction.order = Order::Halt;
+            instruction.stop = true;
+        }
         break;
     case CueKind::Located:
     case CueKind::Detection:

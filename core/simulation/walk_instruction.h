@@ -34,6 +34,7 @@ struct WalkInstruction {
     Order order = Order::Inform;
     bool now = false;    ///< to be done at once
     bool astray = false; ///< the way was left: what was known of it is void
+    bool stop = false;   ///< at once, also with the hand on a door's handle
     guidance::SweepStep sweep = guidance::SweepStep::None;
     std::optional<Radians> turnFirst;
     std::optional<int> hour;

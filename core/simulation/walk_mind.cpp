@@ -55,6 +55,7 @@ WalkMind::WalkMind(const WalkerOptions& options, localisation::Random& random)
 }
 
 void WalkMind::hear(const WalkInstruction& instruction) {
+    if (instruction.stop) m_afterwards.reset(); // of a door that is not gone through now
     if (m_arrived || m_wrongS > 0.0 || instruction.order == Order::Inform) return;
     m_everTold = true;
     m_silentS = 0.0;

@@ -45,6 +45,11 @@ Walker::Walker(std::shared_ptr<const WalkWorld> world, std::size_t region, const
                             : somewhereIn(m_world->building().regions()[region].polygon, m_random),
              Radians{2.0 * kPi * m_random.uniformDouble()}, options) {}
 
+void Walker::hear(const WalkInstruction& instruction) {
+    if (instruction.stop) m_body.stop();
+    m_mind.hear(instruction);
+}
+
 void Walker::walkUntil(double time) {
     while (m_time < time - 1e-9) {
         double seconds = std::min(kTickS, time - m_time);

@@ -18,7 +18,7 @@ public:
                                                   const WalkerOptions& options = {});
 
     void hear(const guidance::Cue& cue) { hear(instructionOf(cue)); }
-    void hear(const WalkInstruction& instruction) { m_mind.hear(instruction); }
+    void hear(const WalkInstruction& instruction);
     void takeWrongTurn() { m_mind.takeWrongTurn(); }
     void forgetArrival() { m_mind.forgetArrival(); }
     /// On to that time, in steps of at most a tenth of a second.

@@ -29,6 +29,27 @@ std::vector<CueKind> kindsOf(const std::vector<Cue>& cues) {
     return kinds;
 }
 
+/// "You have arrived" may mean the room behind the door that one was sent to.
+TEST(GuidedWalk, WhoWasSentOnByAGuessIsToldToStop) {
+    struct Case {
+        double confidence;
+        int seconds;
+        bool stop;
+    };
+    for (const Case& one : {Case{0.7, 2, true}, Case{0.9, 2, false}, Case{0.7, 25, false}}) {
+        Guided walk;
+        walk.tracker.setDestination(at("D"));
+        walk.seen("A");
+        walk.seen("K", '2', one.confidence);
+        walk.wait(3);
+        walk.seen("K", '1', one.confidence);
+        walk.wait(one.seconds);
+        walk.seen("D");
+        ASSERT_EQ(walk.count(CueKind::Arrived), 1U);
+        EXPECT_EQ(walk.find(CueKind::Arrived)->stop, one.stop) << one.confidence << " " << one.seconds;
+    }
+}
+
 /// An arrival that waits behind a sentence expires when the user seems to be out again for a moment.
 TEST(GuidedWalk, AnArrivalThatMayNotHaveBeenHeardIsToldAgain) {
     Guided walk;

@@ -447,6 +447,32 @@ TEST(BayesLocaliser, OneFollowedThingCountsOnce) {
     EXPECT_GT(weightOfC({tracked(7, 4, 1.5)}), once + 0.02) << "confirmed, it is less likely an invention";
 }
 
+/// Posters of one maker share their heading: what matches in that only is hardly known.
+TEST(BayesLocaliser, APosterThatIsWeaklyExplainedIsHardlyBelieved) {
+    AsciiMap map = corridorMap();
+    map.landmark('x', {.kind = Kind::Poster, .templateId = "open-day", .headingDeg = 90.0});
+    auto building = map.build();
+    auto weightOfB = [&](std::optional<double> strength) {
+        BayesOptions raw;
+        raw.rawConfidence = true;
+        Person person(building, raw);
+        Fix fix = person.start();
+        Observation seen = tracked(7, 1, 1.5);
+        seen.detection.kind = Kind::Poster;
+        seen.detection.templateId = TemplateId("open-day");
+        seen.detection.strength = strength.value_or(0.0);
+        if (strength) fix = person.see(seen);
+        for (const RegionVote& vote : fix.votes)
+            if (vote.region.value == "B") return vote.vote;
+        return 0.0;
+    };
+    double untold = weightOfB(0.0), weak = weightOfB(2.0), usual = weightOfB(5.25), strong = weightOfB(8.0);
+    EXPECT_NEAR(usual, untold, 0.02) << "who does not tell is believed as ever";
+    EXPECT_LT(weak, usual - 0.1);
+    EXPECT_GT(strong, usual);
+    EXPECT_GT(weak, weightOfB(std::nullopt) - 0.01) << "but it is no proof to the contrary";
+}
+
 TEST(BayesOptions, AreChecked) {
     EXPECT_TRUE(BayesOptions{}.check().ok());
     BayesOptions bad;

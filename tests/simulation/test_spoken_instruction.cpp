@@ -92,6 +92,10 @@ TEST(SpokenInstruction, WhatIsNoOrderIsNotObeyed) {
     EXPECT_EQ(instructionFrom("Stop. I cannot see. Please uncover the camera.").order, Order::Halt);
     EXPECT_EQ(instructionFrom("Keep moving forward for about 20 metres.").order, Order::GoOn);
     EXPECT_EQ(instructionFrom("You have probably arrived: Bar.").order, Order::Arrived);
+    EXPECT_FALSE(instructionFrom("You have probably arrived: Bar.").stop);
+    EXPECT_EQ(instructionFrom("Stop. You have arrived: Bar.").order, Order::Arrived);
+    EXPECT_TRUE(instructionFrom("Stop. You have arrived: Bar.").stop);
+    EXPECT_TRUE(instructionFrom("I am not sure where you are. Stop, and turn slowly to the right.").stop);
     EXPECT_EQ(instructionFrom("Now turn slowly to the left, past where you began.").sweep, SweepStep::Left);
 }
 

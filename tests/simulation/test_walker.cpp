@@ -203,6 +203,52 @@ TEST(Walker, FindsTheOnlyDoorOfARoomAndStopsAtTheArrival) {
     }
 }
 
+/// "You have arrived" alone may mean the room behind the door that one is just opening.
+TEST(Walker, WhoIsToldToStopGoesThroughNoDoor) {
+    AsciiMap map(0.8);
+    map.floor(R"(
+        +-------+
+        |A      |
+        |   1   |
+        |       |
+        +---/---+
+        |B      |
+        |       |
+        +-------+
+    )");
+    auto building = map.build();
+    int stayed = 0, went = 0;
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+        for (bool stop : {true, false}) {
+            WalkerOptions options;
+            options.seed = seed;
+            options.stopsPerSecond = options.looksPerSecond = 0.0;
+            auto walker = walkerIn(building, {RegionId("A"), {}}, options);
+            walker->hear(find(Feature::Door));
+            Point2 before = walker->position();
+            // Who stands for a second after he has walked stands before the door, and looks for its handle.
+            int standing = -1;
+            for (double t = 0.1; t < 120.0 && standing < 10; t += 0.1) {
+                walker->walkUntil(t);
+                if (distance(walker->position(), before) > 1e-9)
+                    standing = 0;
+                else if (standing >= 0)
+                    ++standing;
+                before = walker->position();
+            }
+            Cue arrived;
+            arrived.kind = CueKind::Arrived;
+            arrived.stop = stop;
+            walker->hear(arrived);
+            walker->walkUntil(walker->time() + 20.0);
+            EXPECT_TRUE(walker->arrived());
+            (stop ? stayed : went) += walker->region().value == (stop ? "A" : "B");
+        }
+    }
+    EXPECT_EQ(stayed, 20);
+    EXPECT_GE(went, 5) << "the others had not felt the door yet";
+}
+
 TEST(Walker, TakesTheDoorOfTheSideThatWasTold) {
     AsciiMap map(0.8);
     map.floor(R"(

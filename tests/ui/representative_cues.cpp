@@ -209,6 +209,12 @@ void addState(std::vector<NamedCue>& list) {
     list.push_back({"arrived", about(CueKind::Arrived, "Library"), false});
     list.push_back({"arrived, unsure", unsure(about(CueKind::Arrived, "Library")), false});
     list.push_back({"arrived, no name", cueOf(CueKind::Arrived), false});
+    Cue stop = about(CueKind::Arrived, "Library");
+    stop.stop = true;
+    list.push_back({"arrived, at a door", stop, false});
+    list.push_back({"arrived, at a door, unsure", unsure(stop), false});
+    stop.kind = CueKind::AlreadyThere;
+    list.push_back({"already there, at a door", stop, false});
     list.push_back({"off route", cueOf(CueKind::OffRoute), false});
     list.push_back({"off route, unsure", unsure(cueOf(CueKind::OffRoute)), false});
     list.push_back({"off route, new way",

@@ -31,7 +31,7 @@ QString Phrasebook::sentence(const Cue& cue) const {
     case CueKind::Reassure:
         return reassure(cue);
     case CueKind::Arrived:
-        return arrived(cue);
+        return withStop(cue, arrived(cue));
     case CueKind::OffRoute:
         return offRoute(cue);
     case CueKind::Unsure:
@@ -49,7 +49,7 @@ QString Phrasebook::sentence(const Cue& cue) const {
     case CueKind::NoRoute:
         return noRoute(cue);
     case CueKind::AlreadyThere:
-        return alreadyThere(cue);
+        return withStop(cue, alreadyThere(cue));
     case CueKind::Warning:
         return warning(cue);
     case CueKind::Around:
@@ -149,6 +149,12 @@ QString Phrasebook::sweepWords(guidance::SweepStep step) {
         return tr("Thank you, that is enough.");
     }
     return tr("I am not sure where you are. Stop, and turn slowly to the right, so that I can look around.");
+}
+
+/// The order before is void, even for one who is just opening the door.
+QString Phrasebook::withStop(const Cue& cue, const QString& sentence) {
+    //: To somebody who walks, or is opening a door
+    return cue.stop ? spoken::joined({tr("Stop."), sentence}) : sentence;
 }
 
 QString Phrasebook::arrived(const Cue& cue) const {

@@ -92,6 +92,7 @@ private:
     QString reassure(const guidance::Cue& cue) const;
     static QString lookAround(const guidance::Cue& cue);
     static QString sweepWords(guidance::SweepStep step);
+    static QString withStop(const guidance::Cue& cue, const QString& sentence);
     QString arrived(const guidance::Cue& cue) const;
     QString offRoute(const guidance::Cue& cue) const;
     static QString offRouteLead(const guidance::Cue& cue);

@@ -61,9 +61,10 @@ bool announcesIt(const Cue& told, const Cue& order) {
            told.routeVersion == order.routeVersion && sameManoeuvre(told, order);
 }
 
-/// "Go through the door", while the user does just that: "you have arrived" can wait for its end.
+/// "Go through the door", while the user does just that: "you have arrived" can wait for its end, if it does
+/// not stop him.
 bool isLastOrder(const Cue& told, const Cue& arrival) {
-    return arrival.kind == CueKind::Arrived && told.kind == CueKind::Act && told.manoeuvre &&
+    return arrival.kind == CueKind::Arrived && !arrival.stop && told.kind == CueKind::Act && told.manoeuvre &&
            told.manoeuvre->into == arrival.region && told.routeVersion == arrival.routeVersion;
 }
 

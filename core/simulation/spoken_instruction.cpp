@@ -221,7 +221,7 @@ public:
 private:
     void hearSentence(const std::string& sentence, const std::string& following) {
         std::string_view text = sentence;
-        if (text == "Stop" || text == "Stop.") {
+        if (text == "Stop") {
             m_heard.stop = true;
             return;
         }

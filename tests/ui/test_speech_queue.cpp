@@ -196,6 +196,14 @@ void TestSpeechQueue::theLastOrderIsHeardToItsEnd() {
     walk.finishAll();
     QCOMPARE(walk.output.said.last(), QStringLiteral("You have arrived."));
 
+    // Nor are the words to be heard to their end by one who is to stop.
+    Walk sudden;
+    sudden.queue.add(order(CueKind::Act, "library"));
+    Cue stop = arrived;
+    stop.stop = true;
+    sudden.queue.add(stop);
+    QCOMPARE(sudden.output.said.last(), QStringLiteral("Stop. You have arrived."));
+
     // What was said of another door, or only announced, must not be heard in the destination.
     for (const Cue& other : {order(CueKind::Act, "hall"), order(CueKind::Prepare, "library")}) {
         Walk next;

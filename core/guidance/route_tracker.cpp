@@ -13,7 +13,9 @@ using routing::Route;
 
 namespace {
 
-constexpr double kAlreadyThere = 0.5;
+/// "You are there already" is told at once where it is as sure as of a start that was told, or was so and
+/// nothing has spoken against it since.
+constexpr double kAlreadyThere = 0.9, kAsLikelyAsNot = 0.5;
 
 /// The vertex of the path at which a manoeuvre takes place: the nearest of its level, not before `from`.
 std::size_t vertexOf(const Route& route, const Manoeuvre& manoeuvre, std::size_t from) {
@@ -134,6 +136,7 @@ Progress RouteTracker::update(const Fix& fix) {
     m_progress.backAgain = false;
     m_progress.distanceM.reset();
     m_progress.remainingM.reset();
+    remember(fix);
     if (!m_destination) return m_progress;
     if (m_building->region(m_destination->region) == nullptr) {
         if (m_progress.travel != Travel::Unreachable) ++m_progress.routeVersion;
@@ -171,10 +174,18 @@ bool RouteTracker::isGuess(const Fix& fix) const {
     return fix.confidence < m_options.guessConfidence;
 }
 
+void RouteTracker::remember(const Fix& fix) {
+    bool likely = fix.region && fix.confidence >= kAsLikelyAsNot;
+    if (!likely || m_lately != fix.region) {
+        m_lately = likely ? fix.region : std::nullopt;
+        m_latelySure = false;
+    }
+    m_latelySure = m_latelySure || (likely && fix.confidence >= kAlreadyThere);
+}
+
 /// "You are there already" has to be true as well.
 bool RouteTracker::isBarelyThere(const Fix& fix) const {
-    return m_options.arrivalConfidence > 0.0 && fix.region == m_destination->region &&
-           fix.confidence < kAlreadyThere;
+    return m_options.arrivalConfidence > 0.0 && fix.region == m_destination->region && !m_latelySure;
 }
 
 /// True once a surprising fix is to be acted on.

@@ -68,6 +68,7 @@ public:
 private:
     void follow(const localisation::Fix& fix);
     bool isGuess(const localisation::Fix& fix) const;
+    void remember(const localisation::Fix& fix);
     bool isBarelyThere(const localisation::Fix& fix) const;
     bool believed(const localisation::Fix& fix);
     bool onThreshold(const localisation::Fix& fix) const;
@@ -95,7 +96,9 @@ private:
     int m_doubtfulFixes = 0;                            ///< in a row, off the route or jumping along it
     std::optional<double> m_doubtCounted;               ///< evidenceTime of the last of them
     double m_doubtSince = 0.0;                          ///< time of the first of them
-    std::optional<double> m_thereSince;    ///< taken to be in the destination all the while since
+    std::optional<double> m_thereSince; ///< taken to be in the destination all the while since
+    std::optional<RegionId> m_lately;   ///< where the user is as likely as not, with or without destination
+    bool m_latelySure = false;          ///< and was sure to be, once since then
     std::optional<RegionId> m_refusedFrom; ///< planning from there failed
 
     /// Of the present route: how well the positions follow it.

@@ -65,7 +65,11 @@ SensorOptions SensorOptions::ofCamera() {
     options.detectionsPerSecond = 0.5;
     options.sameKind = 0.97;
     options.unmappedShare = 0.1;
+    // Of 215 readings of rendered walks 183 were right, 4 one letter off, 6 two, 22 something else.
+    options.textRead = 0.85;
+    options.textOneOff = options.textTwoOff = 0.04;
     options.bearingSigmaDeg = 3.0;
+    options.stairsSigmaM = 1.0; // a flight is metres long, and listed as a point
     return options;
 }
 

@@ -1,7 +1,7 @@
 #include "core/localisation/sensor_model.h"
 
 #include "core/base/text.h"
-#include "core/building/unmarked_doors.h"
+#include "core/building/unmarked_landmarks.h"
 #include "core/localisation/quick_math.h"
 
 #include <algorithm>
@@ -60,6 +60,13 @@ double weaklyExplained(Kind kind, double strength) {
     constexpr double kUsual = 5.25, kLeast = -2.0, kMost = 3.25;
     if (!printed(kind) || strength <= 0.0) return 1.0;
     return std::exp(std::clamp(kUsual - strength, kLeast, kMost));
+}
+
+/// A thing that is well explained is seldom taken for another of the map: none of some 1,100 in the same
+/// walks, of whatever strength.
+double takenForOther(Kind kind, double strength) {
+    constexpr double kUsual = 5.25, kLeast = -2.3;
+    return printed(kind) && strength > 0.0 ? std::exp(std::clamp(kUsual - strength, kLeast, 0.0)) : 1.0;
 }
 
 /// A mapped `actual` is reported as `reported`: share of the confusions.
@@ -135,12 +142,13 @@ int shortEditDistance(std::string_view a, std::string_view b) {
 
 Result<void> SensorOptions::check() const {
     bool rates = detectionsPerSecond > 0.0 && falsePerSecond > 0.0;
-    bool sigmas = positionSigmaM > 0.0 && bearingSigmaDeg > 0.0 && zoneSigmaDeg > 0.0 && placeSigmaM > 0.0 &&
-                  placeSigmaDeg > 0.0;
+    bool sigmas = positionSigmaM > 0.0 && stairsSigmaM > 0.0 && bearingSigmaDeg > 0.0 && zoneSigmaDeg > 0.0 &&
+                  placeSigmaM > 0.0 && placeSigmaDeg > 0.0;
     bool shares = sameKind > 0.0 && sameKind <= 1.0 && unmappedShare >= 0.0 && mappedFalseText >= 0.0 &&
                   mappedFalseText < 1.0 && otherTemplate >= 0.0 && otherTemplate <= 1.0 &&
                   unsurveyedTwin >= 0.0 && unsurveyedTwin <= 1.0 && lookAlikeFalse >= 0.0 &&
-                  farthestM > 0.0 && sizesAway > 0.0 && missShare >= 0.0 && missShare <= 1.0;
+                  farthestM > 0.0 && sizesAway > 0.0 && unmarkedStairs >= 0.0 && unmarkedStairs <= 1.0 &&
+                  missShare >= 0.0 && missShare <= 1.0;
     if (rates && sigmas && shares) return {};
     return Error{ErrorCode::InvalidArgument, "rates and deviations are above 0, shares from 0 to 1",
                  "bayes.sensors"};
@@ -156,12 +164,15 @@ void SensorModel::addLandmarks() {
     const auto& building = m_map->building();
     Texts texts;
     for (const Landmark& landmark : building.landmarks()) addLandmark(landmark, texts);
-    if (m_options.camera)
+    if (m_options.camera) {
         for (const Landmark& door : building::unmarkedDoors(building)) addLandmark(door, texts);
+        for (const Landmark& stairs : building::unmarkedStairs(building))
+            addLandmark(stairs, texts, static_cast<float>(m_options.unmarkedStairs));
+    }
     addTwins();
 }
 
-void SensorModel::addLandmark(const Landmark& landmark, Texts& texts) {
+void SensorModel::addLandmark(const Landmark& landmark, Texts& texts, float plain) {
     const auto& building = m_map->building();
     auto region = building.regionIndex(landmark.region);
     if (!region) region = building.regionAt(landmark.position, landmark.level);
@@ -171,6 +182,7 @@ void SensorModel::addLandmark(const Landmark& landmark, Texts& texts) {
     item.region = static_cast<std::uint32_t>(*region);
     item.kind = static_cast<std::uint8_t>(indexOf(landmark.kind));
     item.reachM = reachOf(landmark);
+    item.plain = plain;
     m_farthestM = std::max(m_farthestM, item.reachM);
     if (landmark.heading) {
         item.nx = static_cast<float>(std::cos(landmark.heading->value));
@@ -197,8 +209,8 @@ void SensorModel::addLandmark(const Landmark& landmark, Texts& texts) {
 void SensorModel::addItem(Item item) {
     auto index = static_cast<std::uint32_t>(m_items.size());
     double size = std::max(1.0, area(m_map->building().regions()[item.region].polygon));
-    item.share = static_cast<float>(std::min(size, kViewM2) * m_map->weightOf(item.region) / size /
-                                    std::max(1.0, m_map->totalWeight()));
+    item.share = item.plain * static_cast<float>(std::min(size, kViewM2) * m_map->weightOf(item.region) /
+                                                 size / std::max(1.0, m_map->totalWeight()));
     m_itemsOfKind[item.kind].push_back(index);
     auto& sums = m_sharesUpTo[item.kind];
     sums.push_back((sums.empty() ? 0.0F : sums.back()) + item.share);
@@ -288,7 +300,7 @@ bool SensorModel::geometryOf(const Item& item, const View& view, std::uint32_t r
         float cosine = -(geometry.dx * item.nx + geometry.dy * item.ny) / std::max(geometry.range, 0.2F);
         facing = cosine < 0.02F ? 0.02F : std::min(1.0F, (cosine - 0.02F) / 0.5F + 0.02F);
     }
-    geometry.visible = visibleAt(item, geometry.range) * facing;
+    geometry.visible = visibleAt(item, geometry.range) * facing * item.plain;
     return true;
 }
 
@@ -304,13 +316,13 @@ float SensorModel::factorOf(const Look& look, const Item& item) const {
     if (!look.placeFactor.empty() && item.templateIndex >= 0)
         return factor * look.placeFactor[static_cast<std::size_t>(item.templateIndex)];
     if (look.hasTemplate && item.templateIndex >= 0 && item.templateIndex != look.templateIndex)
-        factor *= static_cast<float>(m_options.otherTemplate);
+        factor *= look.otherTemplate;
     return factor;
 }
 
 float SensorModel::likelihoodOf(const Look& look, const Geometry& geometry, const Gaze& gaze) const {
     float likelihood = geometry.visible;
-    auto spread = static_cast<float>(m_options.positionSigmaM);
+    float spread = look.besideM;
     float beside = spread / std::max(geometry.range, 0.5F);
     if (look.hasRange) {
         float off = look.logRange - std::log(std::max(geometry.range, 0.5F));
@@ -331,7 +343,7 @@ float SensorModel::likelihoodOf(const Look& look, const Geometry& geometry, cons
 }
 
 Cause SensorModel::causeOf(const Look& look, const Geometry& geometry, const Gaze& gaze, float part) const {
-    auto spread = static_cast<float>(m_options.positionSigmaM);
+    float spread = look.besideM;
     float sway = kRadToDeg * 0.7F * spread / std::max(geometry.range, 0.7F);
     float direction = quickDirectionDeg(geometry.dx, geometry.dy);
     return {part, wrapDeg(direction - look.bearingDeg - gaze.yawDeg), sway * sway + look.bearingVariance};
@@ -423,6 +435,8 @@ void SensorModel::readText(const Detection& detection, Look& look, double& false
 Look SensorModel::prepare(const Detection& detection) const {
     Look look;
     look.kind = detection.kind;
+    look.besideM = static_cast<float>(detection.kind == Kind::Stairs ? m_options.stairsSigmaM
+                                                                     : m_options.positionSigmaM);
     double same = m_options.sameKind;
     for (Kind actual : allKinds()) {
         double share = actual == detection.kind ? same : (1.0 - same) * lookAlike(actual, detection.kind);
@@ -440,6 +454,8 @@ Look SensorModel::prepare(const Detection& detection) const {
     if (!detection.templateId.empty()) {
         falseLikelihood *= weaklyExplained(detection.kind, detection.strength);
         look.hasTemplate = true;
+        look.otherTemplate =
+            static_cast<float>(m_options.otherTemplate * takenForOther(detection.kind, detection.strength));
         auto found = m_templates.find(detection.templateId.value);
         if (found != m_templates.end()) look.templateIndex = found->second;
         if (detection.kind == Kind::Place && detection.strength > 0.0)

@@ -33,10 +33,13 @@ struct SensorOptions {
     double mappedFalseText = 0.15; ///< share of false texts that stand elsewhere in the map
     double textRead = 0.72, textOneOff = 0.2, textTwoOff = 0.03;
     double positionSigmaM = 0.45; ///< of where the walker is beside the straight line
+    double stairsSigmaM = 0.45;   ///< the same towards stairs
     double bearingSigmaDeg = 4.0;
     double zoneSigmaDeg = 7.0; ///< when the bearing is guessed from the place in the picture
     double placeSigmaM = 1.5, placeSigmaDeg = 30.0; ///< from where a trained place is recognised
     double otherTemplate = 0.02; ///< a landmark is taken for one of another template of its kind
+    /// Stairs that the map does not list, from whichever end: how surely they are found, against listed ones.
+    double unmarkedStairs = 0.3;
     /// What floors of one building look like: an unsurveyed spot just above or below a place is taken for it,
     /// against the place itself.
     double unsurveyedTwin = 0.9;
@@ -61,10 +64,12 @@ struct Look {
     /// beside the told one. Empty: not told.
     std::vector<float> placeFactor;
     bool hasTemplate = false;
-    float logRange = 0.0F; ///< natural logarithm of metres
+    float otherTemplate = 0.0F; ///< likelihood of another template of the map, against the told one
+    float logRange = 0.0F;      ///< natural logarithm of metres
     bool hasRange = false;
     float rangeVariance = 0.0F;
     float bearingDeg = 0.0F;
+    float besideM = 0.0F; ///< deviation of the walker and of the thing from where they are thought to be
     bool hasBearing = false;
     float bearingVariance = 0.0F;
     float inverseFalse = 0.0F;     ///< 1 / likelihood of a false detection like this
@@ -121,6 +126,7 @@ private:
         bool twin = false;   ///< no place, but what one on another floor may be mistaken for
         float share = 0.0F;  ///< of all walking from where it is in view
         float reachM = 0.0F; ///< recognised from no farther away
+        float plain = 1.0F;  ///< how surely it is found, against others of its kind
     };
     struct View { ///< a landmark as seen from a region
         float along = 0.0F;
@@ -137,7 +143,7 @@ private:
     using Texts = std::map<std::string, std::int32_t>;
 
     void addLandmarks();
-    void addLandmark(const building::Landmark& landmark, Texts& texts);
+    void addLandmark(const building::Landmark& landmark, Texts& texts, float plain = 1.0F);
     void addItem(Item item);
     void addTwins();
     static bool surveyed(const Item& like, const std::vector<Item>& places);

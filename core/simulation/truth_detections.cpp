@@ -1,6 +1,6 @@
 #include "core/simulation/truth_detections.h"
 
-#include "core/building/unmarked_doors.h"
+#include "core/building/unmarked_landmarks.h"
 
 #include <algorithm>
 #include <array>

@@ -396,6 +396,40 @@ TEST(RouteTracker, WhoWaitsInARoomThatShowsNothingHasProbablyArrived) {
     EXPECT_TRUE(walk.progress.doubtful);
 }
 
+TEST(RouteTracker, NobodyIsThereAlreadyByOneSightThatMayBeWrong) {
+    TrackerOptions honest;
+    honest.arrivalConfidence = 0.95;
+    honest.patientSeconds = 5.0 * Guided().secondsBetween;
+    Guided walk(test::corridorMap(), {}, honest);
+    walk.tracker.setDestination(at("D"));
+    for (int i = 0; i < 10; ++i) {
+        walk.seen("D", 0, 0.6);
+        ASSERT_EQ(walk.progress.travel, Travel::NoFix);
+    }
+    for (int i = 0; i < 6; ++i) walk.seen("D", 0, 0.8);
+    EXPECT_EQ(walk.progress.travel, Travel::Arrived) << "nothing has spoken against it for long";
+    EXPECT_TRUE(walk.progress.doubtful);
+}
+
+TEST(RouteTracker, WhoStandsThereAndIsToldSoHasNotToWait) {
+    TrackerOptions honest;
+    honest.arrivalConfidence = 0.95;
+    Guided sure(test::corridorMap(), {}, honest);
+    sure.tracker.setDestination(at("D"));
+    sure.seen("D", 0, 0.93);
+    EXPECT_EQ(sure.progress.travel, Travel::Arrived) << "a start that was told";
+    auto afterWaiting = [&](const std::string& second) {
+        Guided dark(test::corridorMap(), {}, honest);
+        dark.seen("D", 0, 0.93);
+        dark.seen(second, 0, 0.7);
+        dark.tracker.setDestination(at("D"));
+        dark.seen("D", 0, 0.6);
+        return dark.progress.travel;
+    };
+    EXPECT_EQ(afterWaiting("D"), Travel::Arrived) << "nothing has spoken against it";
+    EXPECT_EQ(afterWaiting("K"), Travel::NoFix);
+}
+
 TEST(RouteTracker, AnHourWithoutAFixIsNoWaitingInTheDestination) {
     TrackerOptions honest;
     honest.arrivalConfidence = 0.95;

@@ -2,6 +2,7 @@
 #include "tests/localisation/walk.h"
 #include "tests/support/ascii_map.h"
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
@@ -471,6 +472,91 @@ TEST(BayesLocaliser, APosterThatIsWeaklyExplainedIsHardlyBelieved) {
     EXPECT_LT(weak, usual - 0.1);
     EXPECT_GT(strong, usual);
     EXPECT_GT(weak, weightOfB(std::nullopt) - 0.01) << "but it is no proof to the contrary";
+}
+
+/// Two storeys alike, joined by stairs that only the lower one lists; a plate and a picture in either room.
+AsciiMap twoStoreys() {
+    const char* const kStorey = R"(
++--------+----+
+|R       |S   |
+|   p q  |    |
+|        |   s|
++---/----+--/-+
+|C            |
+|             |
++-------------+
+)";
+    std::string upper = kStorey;
+    std::replace(upper.begin(), upper.end(), 'R', 'U');
+    std::replace(upper.begin(), upper.end(), 'S', 'T');
+    std::replace(upper.begin(), upper.end(), 'C', 'D');
+    std::replace(upper.begin(), upper.end(), 'p', 'x');
+    std::replace(upper.begin(), upper.end(), 'q', 'y');
+    std::replace(upper.begin(), upper.end(), 's', ' ');
+    AsciiMap map;
+    map.floor(kStorey).floor(upper, 1.0);
+    for (char stairwell : {'S', 'T'}) map.region(stairwell, {.kind = building::RegionKind::Stairwell});
+    map.landmark('p', {.kind = Kind::Text, .text = "1.01", .headingDeg = 270.0});
+    map.landmark('q', {.kind = Kind::Picture, .templateId = "sea", .headingDeg = 270.0});
+    map.landmark('x', {.kind = Kind::Text, .text = "2.01", .headingDeg = 270.0});
+    map.landmark('y', {.kind = Kind::Picture, .templateId = "hills", .headingDeg = 270.0});
+    map.landmark('s', {.kind = Kind::Stairs, .headingDeg = 180.0});
+    map.join(building::AccessKind::Stairs, 'S', 'T');
+    return map;
+}
+
+double voteFor(const Fix& fix, const std::string& region) {
+    for (const RegionVote& vote : fix.votes)
+        if (vote.region.value == region) return vote.vote;
+    return 0.0;
+}
+
+/// The way of the guided: sees as this program's recognisers do.
+BayesOptions guidedOptions() {
+    BayesOptions options;
+    options.walking = WalkingOptions::obedient();
+    options.sensors = SensorOptions::ofCamera();
+    options.rawConfidence = true;
+    return options;
+}
+
+/// Nobody reads a plate clearly and takes its number for that of the room below again and again.
+TEST(BayesLocaliser, APlateAndAPictureOfTheStoreyAboveAreNotExplainedAwayBelow) {
+    Person person(twoStoreys().build(), guidedOptions());
+    person.start("R");
+    Observation plate = tracked(1, 3, 2.0), picture = tracked(2, 2, 2.5);
+    plate.detection.kind = Kind::Text;
+    plate.detection.text = "2.01";
+    plate.detection.rangeM.reset();
+    picture.detection.kind = Kind::Picture;
+    picture.detection.templateId = TemplateId("hills");
+    picture.detection.strength = 8.9;
+    person.pass(2.0);
+    person.see(plate);
+    person.pass(4.0);
+    Fix fix = person.see(picture);
+    EXPECT_EQ(regionOf(fix), "U");
+    EXPECT_LT(voteFor(fix, "R"), 0.3);
+}
+
+/// The map lists stairs at their foot only, and a camera sees them from their head as well.
+TEST(BayesLocaliser, StairsSeenFromTheirHeadAreNoProofOfHavingClimbedDown) {
+    auto building = twoStoreys().build();
+    auto upperAfter = [&](bool sees) {
+        Person person(building, guidedOptions());
+        person.headFor("R");
+        Fix fix = person.start("T");
+        person.pass(20.0);
+        Observation stairs = tracked(1, 2, 2.0);
+        stairs.detection.kind = Kind::Stairs;
+        stairs.detection.rangeM.reset();
+        fix = sees ? person.see(stairs) : person.pass(0.0);
+        return voteFor(fix, "T") / std::max(1e-9, voteFor(fix, "S") + voteFor(fix, "T"));
+    };
+    double before = upperAfter(false);
+    ASSERT_GT(before, 0.1);
+    ASSERT_LT(before, 0.95);
+    EXPECT_GT(upperAfter(true), before / 4.0);
 }
 
 TEST(BayesOptions, AreChecked) {

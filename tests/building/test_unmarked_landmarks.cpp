@@ -1,4 +1,4 @@
-#include "core/building/unmarked_doors.h"
+#include "core/building/unmarked_landmarks.h"
 #include "tests/support/ascii_map.h"
 
 #include <cmath>
@@ -50,6 +50,35 @@ TEST(UnmarkedDoors, WhatTheMapListsIsNotListedAgain) {
 
 TEST(UnmarkedDoors, AMapWithoutDoorsHasNone) {
     EXPECT_TRUE(unmarkedDoors(*AsciiMap().floor("+--+\n|A |\n+--+").build()).empty());
+}
+
+AsciiMap twoLevels() {
+    AsciiMap map;
+    map.floor("+---+\n|A s|\n|   |\n+---+").floor("+---+\n|B  |\n|   |\n+---+", 1.0);
+    map.join(AccessKind::Stairs, 'A', 'B');
+    return map;
+}
+
+TEST(UnmarkedStairs, AreSeenFromBothEndsUnlessTheMapListsThem) {
+    auto both = unmarkedStairs(*twoLevels().build());
+    ASSERT_EQ(both.size(), 2U);
+    for (const Landmark& end : both) EXPECT_EQ(end.kind, Kind::Stairs);
+    EXPECT_EQ(doorsIn(both, "B").front().level, 1.0);
+    AsciiMap map = twoLevels();
+    map.landmark('s', {.kind = Kind::Stairs});
+    auto listed = unmarkedStairs(*map.build());
+    ASSERT_EQ(listed.size(), 1U);
+    EXPECT_EQ(listed.front().region.value, "B") << "its head is not listed";
+}
+
+TEST(UnmarkedStairs, LiftsAndClosedFlightsAreNone) {
+    AsciiMap lift;
+    lift.floor("+--+\n|A |\n+--+").floor("+--+\n|B |\n+--+", 1.0);
+    lift.join(AccessKind::Elevator, 'A', 'B');
+    EXPECT_TRUE(unmarkedStairs(*lift.build()).empty());
+    BuildingData closed = twoLevels().data();
+    for (Access& access : closed.accesses) access.closed = true;
+    EXPECT_TRUE(unmarkedStairs(Building(std::move(closed))).empty());
 }
 
 } // namespace

@@ -52,21 +52,25 @@ bool printed(Kind kind) {
     return kind == Kind::Poster || kind == Kind::Picture || kind == Kind::Sign || kind == Kind::Other;
 }
 
+/// Log-odds of a match that is as often right as matches are in general.
+constexpr double kUsualStrength = 5.25;
+
 /// How much oftener than usual a trained thing that is this well explained (logarithm of the odds) is another
 /// one that shares a part with it. In rendered walks with many posters that the map does not hold 13 of 24
 /// were others below 2.5, 19 of 108 up to 5 and 1 of 700 above; of exit signs, extinguishers and bins, which
 /// are as weakly explained more often, 1 of 578.
 double weaklyExplained(Kind kind, double strength) {
-    constexpr double kUsual = 5.25, kLeast = -2.0, kMost = 3.25;
+    constexpr double kLeast = -2.0, kMost = 3.25;
     if (!printed(kind) || strength <= 0.0) return 1.0;
-    return std::exp(std::clamp(kUsual - strength, kLeast, kMost));
+    return std::exp(std::clamp(kUsualStrength - strength, kLeast, kMost));
 }
 
 /// A thing that is well explained is seldom taken for another of the map: none of some 1,100 in the same
 /// walks, of whatever strength.
 double takenForOther(Kind kind, double strength) {
-    constexpr double kUsual = 5.25, kLeast = -2.3;
-    return printed(kind) && strength > 0.0 ? std::exp(std::clamp(kUsual - strength, kLeast, 0.0)) : 1.0;
+    constexpr double kLeast = -2.3;
+    if (!printed(kind) || strength <= 0.0) return 1.0;
+    return std::exp(std::clamp(kUsualStrength - strength, kLeast, 0.0));
 }
 
 /// A mapped `actual` is reported as `reported`: share of the confusions.

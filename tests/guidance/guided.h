@@ -119,4 +119,13 @@ struct Guided {
     std::uint64_t frame = 0;
 };
 
+/// As the filter is asked: an arrival is told when it is that sure, or probable for so many observations (0:
+/// never).
+inline guidance::TrackerOptions sureArrivals(double confidence = 0.95, int patientObservations = 0) {
+    guidance::TrackerOptions options;
+    options.arrivalConfidence = confidence;
+    options.patientSeconds = patientObservations * Guided().secondsBetween;
+    return options;
+}
+
 } // namespace farol::test

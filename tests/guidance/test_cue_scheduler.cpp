@@ -7,6 +7,7 @@ using namespace farol::guidance;
 using farol::test::AsciiMap;
 using farol::test::at;
 using farol::test::Guided;
+using farol::test::sureArrivals;
 
 namespace {
 
@@ -389,9 +390,7 @@ TEST(CueScheduler, ADoubtfulSightOfTheDestinationIsSettledByLookingAround) {
 }
 
 TEST(CueScheduler, WhoIsPerhapsThereAlreadyIsAskedToLookAround) {
-    TrackerOptions honest;
-    honest.arrivalConfidence = 0.95;
-    Guided walk(test::corridorMap(), {}, honest);
+    Guided walk(test::corridorMap(), {}, sureArrivals());
     walk.tracker.setDestination(at("D"));
     walk.seen("D", 0, 0.3);
     bool asked = false;

@@ -7,6 +7,7 @@ using namespace farol::guidance;
 using farol::test::AsciiMap;
 using farol::test::at;
 using farol::test::Guided;
+using farol::test::sureArrivals;
 
 namespace {
 
@@ -336,9 +337,7 @@ TEST(RouteTracker, FixesBelowTheLeastConfidenceChangeNothing) {
 }
 
 TEST(RouteTracker, AnArrivalWantsConfidenceAndSomethingSeenSince) {
-    TrackerOptions honest;
-    honest.arrivalConfidence = 0.9;
-    Guided walk(test::corridorMap(), {}, honest);
+    Guided walk(test::corridorMap(), {}, sureArrivals(0.9));
     walk.tracker.setDestination(at("D"));
     walk.seen("A", 0, 0.95);
     walk.seen("K", 0, 0.95);
@@ -358,8 +357,7 @@ TEST(RouteTracker, NobodyHasArrivedBetweenTheSidesOfAnOpening) {
         |       :       |
         +-------+-------+
     )");
-    TrackerOptions honest;
-    honest.arrivalConfidence = 0.9;
+    const TrackerOptions honest = sureArrivals(0.9);
     auto secondsUntilArrived = [&](Point2 spot) {
         Guided walk(map, {}, honest);
         walk.tracker.setDestination(at("B"));
@@ -379,10 +377,7 @@ TEST(RouteTracker, NobodyHasArrivedBetweenTheSidesOfAnOpening) {
 }
 
 TEST(RouteTracker, WhoWaitsInARoomThatShowsNothingHasProbablyArrived) {
-    TrackerOptions honest;
-    honest.arrivalConfidence = 0.95;
-    honest.patientSeconds = 5.0 * Guided().secondsBetween;
-    Guided walk(test::corridorMap(), {}, honest);
+    Guided walk(test::corridorMap(), {}, sureArrivals(0.95, 5));
     walk.tracker.setDestination(at("D"));
     walk.seen("A", 0, 0.95);
     walk.seen("K", 0, 0.95);
@@ -397,10 +392,7 @@ TEST(RouteTracker, WhoWaitsInARoomThatShowsNothingHasProbablyArrived) {
 }
 
 TEST(RouteTracker, NobodyIsThereAlreadyByOneSightThatMayBeWrong) {
-    TrackerOptions honest;
-    honest.arrivalConfidence = 0.95;
-    honest.patientSeconds = 5.0 * Guided().secondsBetween;
-    Guided walk(test::corridorMap(), {}, honest);
+    Guided walk(test::corridorMap(), {}, sureArrivals(0.95, 5));
     walk.tracker.setDestination(at("D"));
     for (int i = 0; i < 10; ++i) {
         walk.seen("D", 0, 0.6);
@@ -412,8 +404,7 @@ TEST(RouteTracker, NobodyIsThereAlreadyByOneSightThatMayBeWrong) {
 }
 
 TEST(RouteTracker, WhoStandsThereAndIsToldSoHasNotToWait) {
-    TrackerOptions honest;
-    honest.arrivalConfidence = 0.95;
+    const TrackerOptions honest = sureArrivals();
     Guided sure(test::corridorMap(), {}, honest);
     sure.tracker.setDestination(at("D"));
     sure.seen("D", 0, 0.93);
@@ -431,10 +422,7 @@ TEST(RouteTracker, WhoStandsThereAndIsToldSoHasNotToWait) {
 }
 
 TEST(RouteTracker, AnHourWithoutAFixIsNoWaitingInTheDestination) {
-    TrackerOptions honest;
-    honest.arrivalConfidence = 0.95;
-    honest.patientSeconds = 5.0 * Guided().secondsBetween;
-    Guided walk(test::corridorMap(), {}, honest);
+    Guided walk(test::corridorMap(), {}, sureArrivals(0.95, 5));
     walk.tracker.setDestination(at("D"));
     walk.seen("A", 0, 0.95);
     walk.seen("K", 0, 0.95);
@@ -482,9 +470,7 @@ TEST(RouteTracker, NoWayFollowsFromAHopelessGuessHoweverLongItLasts) {
 }
 
 TEST(RouteTracker, AnUnknownStartIsNoArrivalByAGuess) {
-    TrackerOptions honest;
-    honest.arrivalConfidence = 0.95;
-    Guided walk(test::corridorMap(), {}, honest);
+    Guided walk(test::corridorMap(), {}, sureArrivals());
     walk.tracker.setDestination(at("D"));
     walk.seen("D", 0, 0.3);
     EXPECT_EQ(walk.progress.travel, Travel::NoFix);

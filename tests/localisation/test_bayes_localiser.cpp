@@ -62,6 +62,12 @@ private:
     std::optional<recognition::Motion> m_motion;
 };
 
+double voteFor(const Fix& fix, const std::string& region) {
+    for (const RegionVote& vote : fix.votes)
+        if (vote.region.value == region) return vote.vote;
+    return 0.0;
+}
+
 recognition::Motion motion(double turnDeg, double speed) {
     recognition::Motion told;
     told.turn = fromDegrees(turnDeg);
@@ -438,9 +444,7 @@ TEST(BayesLocaliser, OneFollowedThingCountsOnce) {
         Person person(corridorMap().build(), raw);
         Fix fix = person.start();
         for (const Observation& seen : sights) fix = person.see(seen);
-        for (const RegionVote& vote : fix.votes)
-            if (vote.region.value == "C") return vote.vote;
-        return 0.0;
+        return voteFor(fix, "C");
     };
     double once = weightOfC({tracked(7, 1, 1.5)});
     EXPECT_GT(once, 0.2) << "the only extinguisher hangs there";
@@ -463,9 +467,7 @@ TEST(BayesLocaliser, APosterThatIsWeaklyExplainedIsHardlyBelieved) {
         seen.detection.templateId = TemplateId("open-day");
         seen.detection.strength = strength.value_or(0.0);
         if (strength) fix = person.see(seen);
-        for (const RegionVote& vote : fix.votes)
-            if (vote.region.value == "B") return vote.vote;
-        return 0.0;
+        return voteFor(fix, "B");
     };
     double untold = weightOfB(0.0), weak = weightOfB(2.0), usual = weightOfB(5.25), strong = weightOfB(8.0);
     EXPECT_NEAR(usual, untold, 0.02) << "who does not tell is believed as ever";
@@ -505,12 +507,6 @@ AsciiMap twoStoreys() {
     return map;
 }
 
-double voteFor(const Fix& fix, const std::string& region) {
-    for (const RegionVote& vote : fix.votes)
-        if (vote.region.value == region) return vote.vote;
-    return 0.0;
-}
-
 /// The way of the guided: sees as this program's recognisers do.
 BayesOptions guidedOptions() {
     BayesOptions options;
@@ -545,12 +541,12 @@ TEST(BayesLocaliser, StairsSeenFromTheirHeadAreNoProofOfHavingClimbedDown) {
     auto upperAfter = [&](bool sees) {
         Person person(building, guidedOptions());
         person.headFor("R");
-        Fix fix = person.start("T");
+        person.start("T");
         person.pass(20.0);
         Observation stairs = tracked(1, 2, 2.0);
         stairs.detection.kind = Kind::Stairs;
         stairs.detection.rangeM.reset();
-        fix = sees ? person.see(stairs) : person.pass(0.0);
+        Fix fix = sees ? person.see(stairs) : person.pass(0.0);
         return voteFor(fix, "T") / std::max(1e-9, voteFor(fix, "S") + voteFor(fix, "T"));
     };
     double before = upperAfter(false);
